@@ -1,8 +1,11 @@
 """Tasks for worker processes of the studio: what may happen to a job, made to happen."""
 
+import itertools
 import os
 import signal
+import threading
 import time
+from collections import deque
 from pathlib import Path
 
 import numpy as np
@@ -64,6 +67,12 @@ def wait(talk: Talk) -> None:
 def deaf(talk: Talk) -> None:
     """Do something that nobody can interrupt."""
     talk.say("begun")
+    time.sleep(LONG_S)
+
+
+def chatter(talk: Talk) -> None:
+    """Speak from another thread, as the one that writes motion does, whoever hears it."""
+    threading.Thread(target=lambda: deque(map(talk.say, itertools.count()), 0), daemon=True).start()
     time.sleep(LONG_S)
 
 

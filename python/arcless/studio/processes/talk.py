@@ -3,6 +3,7 @@
 import queue
 import select
 import time
+from contextlib import suppress
 from dataclasses import dataclass, field
 from multiprocessing.connection import Connection
 from threading import Event, Lock
@@ -73,6 +74,6 @@ class Talk:
         return bool(select.select([], [self.connection], [], 0.0)[1])
 
     def send(self, message: Any) -> None:
-        """Send a message of the worker: threads of a run tell their progress too."""
-        with self._one:
+        """Send a message of the worker, from any thread; a server that is gone hears nothing."""
+        with self._one, suppress(OSError):
             self.connection.send(message)

@@ -72,10 +72,12 @@ def _do(call: Call, talk: Talk) -> None:
         end = ("failed", _failure(error))
     if talk.spool is not None:
         os.close(talk.spool)
+    used = _most_memory()
     try:
-        _tell(talk, end, _most_memory())
-    except OSError:
-        os._exit(1)
+        talk.send(("end", *end, used))
+    except Exception as error:  # what it returns, or an error, does not pickle
+        fault = f"internal fault: the answer of a worker does not pickle: {error}"
+        talk.send(("end", "failed", (fault, "please report it"), used))
 
 
 def _failure(error: Exception) -> tuple[str, str | None]:
@@ -96,16 +98,6 @@ def _most_memory() -> int:
     """
     status = Path("/proc/self/status").read_text("ascii")
     return 1024 * int(status.partition("VmHWM:")[2].split(maxsplit=1)[0])
-
-
-def _tell(talk: Talk, end: tuple[str, Any], used: int) -> None:
-    try:
-        talk.send(("end", *end, used))
-    except OSError:
-        raise
-    except Exception as error:  # what it returns, or an error, does not pickle
-        fault = f"internal fault: the answer of a worker does not pickle: {error}"
-        talk.send(("end", "failed", (fault, "please report it"), used))
 
 
 if __name__ == "__main__":

@@ -18,8 +18,8 @@ from arcless.studio.processes.talk import Talk
 from arcless.studio.processes.worker import Worker
 
 # Time in s for a study to write its table when the server ends. Its rows are on the disk already;
-# shorter, the table is older than the rows.
-LAST_TABLE = 3.0
+# shorter, the table is older than the rows; longer, a study that hangs outlives the server.
+LAST_TABLE = 5.0
 # Time in s for a study that is stopped to put its table and its workers in order, before it is
 # ended by force: a cluster of Dask takes the longest.
 STOPS_WITHIN = 20.0

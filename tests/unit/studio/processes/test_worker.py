@@ -211,7 +211,7 @@ def test_memory_is_that_of_the_process(worker: Worker) -> None:
     assert worker.used - small > 250_000_000
 
 
-@pytest.mark.parametrize("task", ["nothing", "wait", "deaf"])  # at the first it starts
+@pytest.mark.parametrize("task", ["nothing", "wait", "deaf", "chatter"])  # at the first it starts
 @pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGINT])
 def test_the_server_is_gone(task: str, number: int, tmp_path: Path) -> None:
     """By Ctrl-C, which a terminal sends to the whole group, or killed: no traceback, no orphan."""

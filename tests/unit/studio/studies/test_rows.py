@@ -1,5 +1,6 @@
 """Rows as the page reads them, variants as scenarios, and studies that are computed."""
 
+import asyncio
 import time
 from pathlib import Path
 from typing import Any
@@ -156,6 +157,23 @@ def test_a_study_is_computed_stopped_and_gone_on_with(project: Project) -> None:
     _until(lambda: desk.rows(FOLDER, 0, "", 1)["there"] > stopped["there"])
     desk.stop(FOLDER)
     _until(lambda: not computing.is_running(project.folder / FOLDER))
+
+
+def test_a_study_ends_with_the_server_and_keeps_its_rows(project: Project) -> None:
+    (project.folder / FILE).write_text(TEXT.replace("count: 2", "count: 400"))
+    computing = Computing()
+    desk = Desk(project, computing)
+
+    async def serve() -> None:
+        async with computing.at_work():
+            desk.run(FILE, resume=False, retry_failed=False)
+            _until(lambda: desk.rows(FOLDER, 0, "", 1)["there"] > 0)
+
+    asyncio.run(serve())
+    _until(lambda: not computing.is_running(project.folder / FOLDER))
+    found = desk.rows(FOLDER, 0, "", 1)
+    assert 0 < found["there"] < found["total"]
+    assert found["error"] is None
 
 
 def test_what_ends_a_study_is_told(project: Project) -> None:
