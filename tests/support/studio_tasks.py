@@ -71,7 +71,7 @@ def deaf(talk: Talk) -> None:
 
 
 def chatter(talk: Talk) -> None:
-    """Speak from another thread, as the one that writes motion does, whoever hears it."""
+    """Speak from another thread, as the one that writes motion does."""
     threading.Thread(target=lambda: deque(map(talk.say, itertools.count()), 0), daemon=True).start()
     time.sleep(LONG_S)
 
