@@ -85,7 +85,6 @@ class Desk:
                                  self._project.folder)  # fmt: skip
         place = self._place(loaded)
         folder = place.path
-        words = ["resume" if resume else "run", *(["--retry-failed"] if retry_failed else [])]
         if self._computing.is_running(folder):
             raise already(folder)
         if self._begun(loaded) and not resume:
@@ -95,7 +94,9 @@ class Desk:
             )  # fmt: skip
         if resume:
             place.check_same()
-        self._computing.start([*words, os.fspath(file)], folder, self._project.folder)
+        self._computing.start(
+            file, folder, self._project.folder, resume=resume, retry_failed=retry_failed
+        )
         return {"path": self._project.name_of(folder)}
 
     def stop(self, path: str) -> dict[str, str]:
@@ -115,7 +116,7 @@ class Desk:
         if not (folder / "study.json").exists() and (starting or error):
             return {"edition": "", "rows": [], "next": 0, "there": 0, "total": None, "counts": {},
                     "running": starting, "wall_time_s": 0.0, "missing": None, "error": error,
-                    "own": starting}  # fmt: skip
+                    "own": starting, "criteria": [], "not_judged": []}  # fmt: skip
         found = self._rows(path).after(after, edition, most)
         running = found["running"] or starting
         return found | {"running": running, "error": None if running else error, "own": starting}
