@@ -60,7 +60,7 @@ class Pool:
         entry.give_spool(file)
         worker.do(entry.task, None if file is None else file.fileno())
 
-    def free(self, entry: Entry, used: int) -> None:
+    def free(self, entry: Entry, used: int | None) -> None:
         """Let the process of what has ended wait for its next task, unless it is large.
 
         Parameters
@@ -68,12 +68,12 @@ class Pool:
         entry
             What it has done.
         used
-            Memory in bytes that it used at most.
+            Memory in bytes that it used at most; None where nothing tells it.
         """
         worker = entry.worker
         if worker is None or self._at_work.pop(worker, None) is None:
             return
-        if used > _LARGE or len(self._idle) >= _SPARE:
+        if (used or 0) > _LARGE or len(self._idle) >= _SPARE:
             worker.leave()
         else:
             self._idle.append(worker)
