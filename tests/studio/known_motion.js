@@ -48,6 +48,7 @@
         this.readyState = 1;
         this.onopen?.();
       });
+      setInterval(() => this.readyState === 1 && this.say({ topic: "beat" }), 2000);
     }
     close() {
       this.readyState = 3;

@@ -8,11 +8,18 @@ export const refused = signal(false);
 // In ms; a page that waits behind a closed laptop for a night should not make a machine warm.
 const ASK_EVERY = 2000;
 
+let isAsking = false;
+
 async function ask(): Promise<void> {
+  // A server that is stopped answers all that waits once it goes on: one question is enough.
+  if (isAsking) return;
+  isAsking = true;
   try {
-    refused.value = (await fetch("api/project", { credentials: "same-origin" })).status === 403;
+    refused.value = (await fetch("api/jobs", { credentials: "same-origin" })).status === 403;
   } catch {
     refused.value = false;
+  } finally {
+    isAsking = false;
   }
 }
 
