@@ -1,0 +1,86 @@
+"""Whatever goes wrong around the page: it says so, loses nothing, and goes on by itself."""
+
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from tests.drills.conftest import SHORT
+from tests.studio.studio import Studio, Window
+from tests.studio.test_editor import TEXT, find, yaml
+
+Start = Callable[[Path], Studio]
+GONE = "text=The server does not answer"
+SAVE_STATE = "document.querySelector('.save-state [role=status]').textContent"
+# Time in ms in which the page says that a server is silent: five looks, one each second.
+SILENT = 10_000
+RUN = 60_000  # ms
+# Steps so short that a run takes some seconds, or less than one.
+SLOW, QUICK = "0.05 ms", "2 ms"
+
+
+def scenario(folder: Path, name: str, time_step: str) -> Path:
+    """Write a short scenario with a time step; return its file."""
+    text = SHORT.read_text("utf-8").replace("name: short\n", f"name: {name}\n")
+    file = folder / f"{name}.yaml"
+    file.write_text(text.replace("{time_step: 2 ms}", f"{{time_step: {time_step}}}"), "utf-8")
+    return file
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    """Return a folder with a scenario whose run takes some seconds."""
+    scenario(tmp_path, "slow", SLOW)
+    return tmp_path
+
+
+def begun(page: Window) -> None:
+    """Begin the run of the chosen scenario, and wait until it steps and is played."""
+    page.wait(".run-bar .speed")
+    page.press("Control+Enter")
+    page.wait(".transport .live")
+
+
+def progress(page: Window) -> float:
+    return float(page.js("document.querySelector('.running progress')?.value ?? 1"))
+
+
+def stopped_in_a_run(server: Studio, page: Window, seconds: float, *, with_all: bool) -> None:
+    """Type, have all or the server alone stopped in the midst of a run, and look what came of it."""
+    yaml(page)
+    begun(page)
+    before = progress(page)
+    find(page, "160 km/h")
+    with server.stopped(with_all=with_all):
+        if not with_all:
+            page.type("158 km/h")
+            page.wait(GONE, patience=SILENT)
+            assert page.js("document.title").startswith("No server")
+        time.sleep(seconds)
+    if with_all:
+        page.type("158 km/h")
+    page.wait(GONE, "hidden")
+    page.until(f"{SAVE_STATE} === 'Saved'")
+    assert "speed: 158 km/h" in (server.folder / "slow.yaml").read_text("utf-8")
+    assert before < 1.0
+    page.until("document.querySelectorAll('.run-entry').length === 1", RUN)
+    page.wait(".verdict-of .numbers")
+    assert page.count(".messages li") == 0
+    page.server_is_gone()
+
+
+def test_a_server_that_is_stopped_is_said_not_to_answer(studio: Start, folder: Path) -> None:
+    server = studio(folder)
+    stopped_in_a_run(server, server.open(), 0.0, with_all=False)
+
+
+def test_server_and_page_stopped_as_on_a_closed_laptop(studio: Start, folder: Path) -> None:
+    server = studio(folder)
+    page = server.open()
+    # Whether the page says for a moment that nobody answers.
+    page.js("new MutationObserver(() => { window.said ||= !!document.querySelector('.lost'); })"
+            ".observe(document.body, {childList: true, subtree: true})")  # fmt: skip
+    stopped_in_a_run(server, page, 4.0, with_all=True)
+    assert not page.js("window.said")
+    page.wait(TEXT)
