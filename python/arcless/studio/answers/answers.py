@@ -69,9 +69,13 @@ def _fault(error: Exception) -> str:
 
 
 def complaint(error: ArclessError) -> dict[str, Any]:
-    """Return an error as the page shows it: its whole sentence, and its parts where it has them."""
-    parts = ("what", "where", "got", "expected", "hint", "field")
+    """Return an error as the page shows it: its whole sentence, and its parts where it has them.
+
+    Of a step also the time in s and the positions of the pantographs in m, by name.
+    """
+    parts = ("what", "where", "got", "expected", "hint", "field", "time_s")
     found = {name: getattr(error, name, None) for name in parts}
+    found["positions_m"] = dict(getattr(error, "positions_m", {}))
     return {"text": str(error), **{name: value for name, value in found.items() if value}}
 
 
