@@ -1,5 +1,7 @@
 """Whatever goes wrong around the page: it says so, loses nothing, and goes on by itself."""
 
+import re
+import signal
 import time
 from collections.abc import Callable
 from pathlib import Path
@@ -18,6 +20,18 @@ SILENT = 10_000
 RUN = 60_000  # ms
 # Steps so short that a run takes some seconds, or less than one.
 SLOW, QUICK = "0.05 ms", "2 ms"
+# A scheme without damping, and steps too long for light wires: `tests/scenarios/test_choices.py`.
+GROWS = """
+format: arcless-scenario/1
+name: grows
+base: praks-340
+set:
+  contact.law: compliant
+  solver.time_step: 1 ms
+  solver.scheme: trapezoidal
+  line.contact_wire.mass: 0.89 kg/m
+  line.dropper.clamp_mass_contact_wire: 0 kg
+"""
 
 
 def scenario(folder: Path, name: str, time_step: str) -> Path:
@@ -37,7 +51,7 @@ def folder(tmp_path: Path) -> Path:
 
 def begun(page: Window) -> None:
     """Begin the run of the chosen scenario, and wait until it steps and is played."""
-    page.wait(".run-bar .speed")
+    page.wait("button.run:not([disabled])")
     page.press("Control+Enter")
     page.wait(".transport .live")
 
@@ -84,3 +98,48 @@ def test_server_and_page_stopped_as_on_a_closed_laptop(studio: Start, folder: Pa
     stopped_in_a_run(server, page, 4.0, with_all=True)
     assert not page.js("window.said")
     page.wait(TEXT)
+
+
+def test_a_run_that_was_ended_with_its_server_is_offered_again(
+    studio: Start, folder: Path
+) -> None:
+    server = studio(folder)
+    page = server.open()
+    begun(page)
+    server.signal(signal.SIGKILL)
+    page.wait(GONE)
+    server.start(server.port)
+    server.open(beside=page).wait("button.run")
+    page.wait("text=was ended with the server that computed it.")
+    page.wait(".transport .live", "hidden")
+    page.wait(".running", "hidden")
+    page.server_is_gone()
+    assert page.axe() == []
+    scenario(folder, "slow", QUICK)
+    page.click(".messages >> text=Run again")
+    page.until("document.querySelectorAll('.run-entry').length === 1", RUN)
+    page.wait(".verdict-of .numbers")
+    assert page.count(".messages li") == 0
+
+
+def test_a_run_that_grows_beyond_all_bounds(studio: Start, tmp_path: Path) -> None:
+    (tmp_path / "grows.yaml").write_text(GROWS, "utf-8")
+    page = studio(tmp_path).open()
+    page.wait("button.run:not([disabled])")
+    page.press("Control+Enter")
+    page.wait(".messages .error", patience=RUN)
+    told = page.text(".messages .error")
+    where = re.search(r"t = ([\d.]+) s, P1 at ([\d.]+) m: the motion grew beyond all bounds", told)
+    assert where, told
+    page.wait(".drawing .failed")
+    # In the drawing the time has three digits, the position as many as in the message.
+    assert f"t = {float(where[1]):.3f} s, P1 at {where[2]} m." in page.text(".drawing .failed")
+    assert page.axe() == []
+    page.click("text=Show the place")
+    page.click("text=Replay the last seconds")
+    page.until("document.querySelector('.transport button[aria-label=Pause]')")
+    page.wait(".transport button[aria-label=Play]")  # it stops at the end
+    end = float(page.text(".transport .where").split(" · ")[-1].removesuffix(" s"))
+    # The core hands motion on every 256 steps; those after the last time are not there.
+    assert float(where[1]) - 0.3 < end <= float(where[1]) + 0.01
+    assert not (tmp_path / "runs").exists() or list((tmp_path / "runs").iterdir()) == []

@@ -6,13 +6,20 @@ export interface Told {
   id: number;
   level: "error" | "warning" | "note";
   text: string;
+  /** What can be done about it. */
+  action?: Action;
+}
+
+export interface Action {
+  label: string;
+  act: () => void;
 }
 
 let count = 0;
 export const messages = signal<Told[]>([]);
 
-export function say(level: Told["level"], text: string): void {
-  messages.value = [...messages.peek(), { id: ++count, level, text }];
+export function say(level: Told["level"], text: string, action?: Action): void {
+  messages.value = [...messages.peek(), { id: ++count, level, text, ...(action && { action }) }];
 }
 
 export function dismiss(id: number): void {
