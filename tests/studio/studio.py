@@ -71,7 +71,7 @@ class Studio:
 
     @contextmanager
     def stopped(self, *, with_all: bool) -> Iterator[None]:
-        """Have the server stopped within the block; `with_all`: with its workers and the browser."""
+        """Have the server stopped for a time; `with_all`: with its workers and the browser."""
         all_ = [self._process.pid]
         if with_all:
             all_ += [*self.workers, *self._browser.processes]

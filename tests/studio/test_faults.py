@@ -61,7 +61,7 @@ def progress(page: Window) -> float:
 
 
 def stopped_in_a_run(server: Studio, page: Window, seconds: float, *, with_all: bool) -> None:
-    """Type, have all or the server alone stopped in the midst of a run, and look what came of it."""
+    """Type, have all or the server alone stopped in the midst of a run, and see what came of it."""
     yaml(page)
     begun(page)
     before = progress(page)
@@ -100,9 +100,7 @@ def test_server_and_page_stopped_as_on_a_closed_laptop(studio: Start, folder: Pa
     page.wait(TEXT)
 
 
-def test_a_run_that_was_ended_with_its_server_is_offered_again(
-    studio: Start, folder: Path
-) -> None:
+def test_a_run_that_was_ended_with_its_server_is_offered_again(studio: Start, folder: Path) -> None:
     server = studio(folder)
     page = server.open()
     begun(page)

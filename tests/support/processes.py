@@ -4,7 +4,7 @@ from pathlib import Path
 
 
 def below(process: int) -> list[int]:
-    """Return the numbers of all processes below one, from `/proc`; those that are gone are left out."""
+    """Return the numbers of all processes below one that are there."""
     found = []
     for task in _tasks(process):
         try:

@@ -91,8 +91,9 @@ def _too_long(scenario: Scenario, longest_s: float) -> ModelError:
 def stepping(
     mesh: Mesh, placements: Sequence[PantographPlacement], travel: Motion | None = None
 ) -> Iterator[None]:
-    """Turn errors of the stepping loop into errors that name step, time, link, and, given the
-    travel, where the pantographs are.
+    """Turn errors of the stepping loop into errors that name step, time and link.
+
+    Given the travel they say where the pantographs were, too.
     """
     try:
         yield
@@ -118,8 +119,9 @@ def _place(
     placements: Sequence[PantographPlacement],
     travel: Motion,
 ) -> None:
-    """Put into the error of a step when and where that was; the message has a place already where
-    a pantograph is beside the wire.
+    """Put into the error of a step when that was, and where the pantographs were.
+
+    The message has the place already where one is beside the wire.
     """
     failure.time_s = at * travel.time_step
     failure.positions_m = {
