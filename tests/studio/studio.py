@@ -35,8 +35,12 @@ class Studio:
         The address that it printed, with its token.
     """
 
-    def __init__(self, browser: Browser, folder: Path, port: int = 0) -> None:
+    def __init__(
+        self, browser: Browser, folder: Path, port: int = 0, page: Path | None = None
+    ) -> None:
         self._browser, self.folder = browser, folder
+        own = ["arcless"] if page is None else ["tests.support.studio_server", str(page)]
+        self._program = [sys.executable, "-m", *own]
         self._tabs: list[Window] = []
         self.start(port)
 
@@ -44,7 +48,7 @@ class Studio:
         """Start the server."""
         words = ["studio", str(self.folder), "--no-browser", "--port", str(port)]
         self._process = subprocess.Popen(
-            [sys.executable, "-m", "arcless", *words],
+            [*self._program, *words],
             stdout=subprocess.PIPE,
             text=True,
             env={**os.environ, "PYTHONUNBUFFERED": "1"},

@@ -1,16 +1,19 @@
 """Whatever goes wrong around the page: it says so, loses nothing, and goes on by itself."""
 
 import re
+import shutil
 import signal
 import time
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from page.build import BUILT
 
+from tests.browser.browser import Browser
 from tests.drills.conftest import SHORT
 from tests.studio.studio import Studio, Window
-from tests.studio.test_editor import TEXT, find, yaml
+from tests.studio.test_editor import SAID, TEXT, find, yaml
 
 Start = Callable[[Path], Studio]
 GONE = "text=The server does not answer"
@@ -118,6 +121,72 @@ def test_a_run_that_was_ended_with_its_server_is_offered_again(studio: Start, fo
     page.until("document.querySelectorAll('.run-entry').length === 1", RUN)
     page.wait(".verdict-of .numbers")
     assert page.count(".messages li") == 0
+
+
+def update(page: Path) -> None:
+    """Give all built files of a page other names, as another version has them."""
+    files = [file for file in page.rglob("*") if file.suffix in {".js", ".css", ".html"}]
+    names = {file.name: f"{file.stem}0{file.suffix}" for file in files if file.suffix != ".html"}
+    for file in files:
+        text = file.read_text("utf-8")
+        for old, new in names.items():
+            text = text.replace(old, new)
+        file.unlink()
+        file.with_name(names.get(file.name, file.name)).write_text(text, "utf-8")
+
+
+@pytest.fixture
+def copied(tmp_path: Path) -> Path:
+    """Return a copy of the built page."""
+    return shutil.copytree(BUILT, tmp_path / "page")
+
+
+def test_a_part_of_a_page_that_was_updated(
+    browser: Browser, folder: Path, copied: Path
+) -> None:
+    with Studio(browser, folder, page=copied) as server:
+        page = server.open()
+        page.wait("button.run:not([disabled])")
+        page.type("170 km/h", into=".run-bar .speed")
+        page.press("Enter")
+        update(copied)
+        page.click("role=tab[name=Statics]")
+        page.wait("text=Arcless was updated")
+        # What the browser says of files that are not there, and no error of the page.
+        others = [one for one in page.events if "404" not in one and "MIME type" not in one]
+        assert others == []
+        assert page.axe() == []
+        page.events  # noqa: B018 - axe looks for the style sheet that is not there
+        page.click("text=Reload the page")
+        page.wait("text=Arcless was updated", "hidden")
+        page.until("document.querySelector('.run-bar .speed')?.value === '170 km/h'")
+        page.wait(".statics")
+
+
+def test_a_page_that_was_updated_while_the_server_was_away(
+    browser: Browser, folder: Path, copied: Path
+) -> None:
+    with Studio(browser, folder, page=copied) as server:
+        page = server.open()
+        page.wait("button.run:not([disabled])")
+        yaml(page)
+        find(page, "160 km/h")
+        server.signal(signal.SIGKILL)
+        page.wait(GONE)
+        page.type("158 km/h")
+        update(copied)
+        server.start(server.port)
+        # What another version would not read is in the draft all the same.
+        assert "158 km/h" in page.js("Object.values(localStorage).join()")
+        server.open(beside=page).wait("button.run")
+        page.wait("text=Arcless was updated")
+        page.until(f"{SAVE_STATE} === 'Saved'")
+        assert "speed: 158 km/h" in (folder / "slow.yaml").read_text("utf-8")
+        page.server_is_gone()
+        page.click("text=Reload the page")
+        page.wait("text=Arcless was updated", "hidden")
+        yaml(page)
+        page.until(f"{SAID}.includes('158 km/h')")
 
 
 def test_a_run_that_grows_beyond_all_bounds(studio: Start, tmp_path: Path) -> None:

@@ -1,6 +1,8 @@
 /** What the user is told: complaints, warnings, notes. Whole sentences. */
 import { signal } from "@preact/signals";
 import { RefusedError } from "../connection/http.ts";
+import { connection } from "../connection/stream.ts";
+import { isMissingPart, look } from "../connection/version.ts";
 
 export interface Told {
   id: number;
@@ -28,5 +30,11 @@ export function dismiss(id: number): void {
 
 /** Tell what went wrong with something that was asked for. */
 export function complain(error: unknown): void {
+  if (isMissingPart(error)) return void partIsMissing();
   say("error", error instanceof RefusedError ? error.complaint.text : String(error));
+}
+
+/** Of another version, or of a server that is gone, the banner tells; of nothing else that can be known. */
+async function partIsMissing(): Promise<void> {
+  if (!(await look()) && connection.peek() === "open") say("error", "A part of the page could not be loaded. Reload the page.");
 }
