@@ -1,4 +1,4 @@
-"""A really full disk below the studio: each refusal is a sentence, old files stay, the server goes on."""
+"""A really full disk below the studio: refusals are sentences, old files stay, it goes on."""
 
 import hashlib
 import shutil

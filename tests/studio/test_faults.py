@@ -123,6 +123,59 @@ def test_a_run_that_was_ended_with_its_server_is_offered_again(studio: Start, fo
     assert page.count(".messages li") == 0
 
 
+def test_two_tabs_type_in_one_file(studio: Start, folder: Path) -> None:
+    server = studio(folder)
+    one = server.open()
+    two = server.open(beside=one)
+    for page in (one, two):
+        page.wait("button.run:not([disabled])")
+        yaml(page)
+    find(one, "160 km/h")
+    find(two, "22 kN")
+    # Both type before either of them has heard of the other: without a server nothing is saved.
+    with server.stopped(with_all=False):
+        one.type("158 km/h")
+        two.type("24 kN")
+        for page in (one, two):
+            page.until(f"{SAVE_STATE} === 'Saving'")
+    # The one that came later is asked, and has both texts beside one another.
+    found = "document.querySelectorAll('.conflict').length"
+    for page in (one, two):
+        page.until(f"{found} === 1 || {SAVE_STATE} === 'Saved'")
+    later, first = (one, two) if one.js(found) else (two, one)
+    assert later.js(found) == 1
+    assert first.js(found) == 0
+    texts = later.text(".conflict .texts")
+    assert all(typed in texts for typed in ("158 km/h", "24 kN"))
+    # The tension stands above the speed: of each the piece is taken that was typed.
+    sides = ("theirs", "mine") if later is one else ("mine", "theirs")
+    for place, side in enumerate(sides):
+        later("selectOption", f".conflict select >> nth={place}", side)
+    later.events  # noqa: B018 - the browser says that a request was refused, as it was
+    later.click('role=button[name="Save the pieces chosen below"]')
+    for page in (one, two):
+        page.until(f"{SAID}.includes('158 km/h') && {SAID}.includes('24 kN')")
+        page.until(f"{SAVE_STATE} === 'Saved'")
+    saved = (folder / "slow.yaml").read_text("utf-8")
+    assert "speed: 158 km/h" in saved
+    assert "tension: 24 kN" in saved
+
+
+def test_two_tabs_see_one_run(studio: Start, folder: Path) -> None:
+    server = studio(folder)
+    one = server.open()
+    two = server.open(beside=one)
+    two.wait("button.run:not([disabled])")
+    begun(one)
+    two.wait(".running progress")
+    two.click("text=Watch")
+    two.wait(".transport .live")
+    for page in (one, two):
+        page.until("document.querySelectorAll('.run-entry').length === 1", RUN)
+        page.wait(".transport .live", "hidden")
+    assert two.count(".messages li") == 0
+
+
 def update(page: Path) -> None:
     """Give all built files of a page other names, as another version has them."""
     files = [file for file in page.rglob("*") if file.suffix in {".js", ".css", ".html"}]
@@ -141,9 +194,7 @@ def copied(tmp_path: Path) -> Path:
     return shutil.copytree(BUILT, tmp_path / "page")
 
 
-def test_a_part_of_a_page_that_was_updated(
-    browser: Browser, folder: Path, copied: Path
-) -> None:
+def test_a_part_of_a_page_that_was_updated(browser: Browser, folder: Path, copied: Path) -> None:
     with Studio(browser, folder, page=copied) as server:
         page = server.open()
         page.wait("button.run:not([disabled])")

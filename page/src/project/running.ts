@@ -1,5 +1,5 @@
 /** A run of the chosen scenario: started, followed to its end, kept as a scenario of its own. */
-import { computed, effect, signal } from "@preact/signals";
+import { computed, effect, signal, untracked } from "@preact/signals";
 import { ask } from "../connection/http.ts";
 import { complain, say } from "../shell/messages.ts";
 import { changes } from "../state/changes.ts";
@@ -99,9 +99,8 @@ function ended(job: Job): void {
   for (const note of job.notes) say("warning", note);
   const path = job.path;
   void readProject();
-  const played = source.peek();
   // Whoever looks at something else by now keeps it.
-  if (played && "job" in played && played.job === job.id) source.value = { run: path };
+  if (isWatched(job)) source.value = { run: path };
   if (!ticked.peek().includes(path)) ticked.value = [...ticked.peek(), path];
 }
 
@@ -116,13 +115,28 @@ function lost(job: Job): void {
 }
 
 function endedIf(job: Job): void {
-  if (job.lost) lost(job);
-  else if (started.has(job.id) && hasEnded(job)) ended(job);
+  if (job.lost) return lost(job);
+  if (!hasEnded(job)) return;
+  if (started.has(job.id)) ended(job);
+  else if (isWatched(job)) watched(job);
+}
+
+/** Whether the player shows a run that is or was computed. */
+export function isWatched(job: Job): boolean {
+  const played = source.value;
+  return job.kind === "run" && played !== null && "job" in played && played.job === job.id;
+}
+
+/** The end of a run that another window began, and this one watches. */
+function watched(job: Job): void {
+  if (job.state === "done" && job.path !== null) source.value = { run: job.path };
+  if (job.state === "failed") keepFailure(job);
 }
 
 export function followRuns(): void {
   effect(() => {
-    for (const job of jobs.value) endedIf(job);
+    const all = jobs.value;
+    untracked(() => all.forEach(endedIf));
   });
   // The first scenario of the folder is chosen until somebody chooses; one that is gone is let go.
   effect(() => {

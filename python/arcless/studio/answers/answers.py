@@ -11,6 +11,7 @@ from starlette.responses import JSONResponse, Response
 from starlette.routing import Route
 
 from arcless.errors import ArclessError
+from arcless.studio.answers.wording import in_words_of_the_page
 
 _BAD_REQUEST, _FAULT = 400, 500
 Handler = Callable[[Request], Awaitable[Any]]
@@ -76,7 +77,11 @@ def complaint(error: ArclessError) -> dict[str, Any]:
     parts = ("what", "where", "got", "expected", "hint", "field", "time_s")
     found = {name: getattr(error, name, None) for name in parts}
     found["positions_m"] = dict(getattr(error, "positions_m", {}))
-    return {"text": str(error), **{name: value for name, value in found.items() if value}}
+    told = {"text": str(error), **{name: value for name, value in found.items() if value}}
+    return {
+        name: in_words_of_the_page(value) if isinstance(value, str) else value
+        for name, value in told.items()
+    }
 
 
 def plain_value(value: Any) -> Any:

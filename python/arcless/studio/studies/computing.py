@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import IO
 
 from arcless.errors import StudyError
+from arcless.studio.answers.wording import in_words_of_the_page
 
 # Time in s for a study to write its table when the server ends. Its rows are on the disk already;
 # shorter, the table is older than the rows.
@@ -133,4 +134,5 @@ def already(folder: Path) -> StudyError:
 def _last_error(said: bytes) -> str:
     lines = said[-_LAST_WORDS:].decode("utf-8", "replace").strip().splitlines()
     errors = [line for line in lines if line.startswith("error: ")]
-    return (errors or lines or ["the process ended"])[-1].removeprefix("error: ")
+    last = (errors or lines or ["the process ended"])[-1].removeprefix("error: ")
+    return in_words_of_the_page(last)
