@@ -13,6 +13,7 @@ from typing import Any
 
 import pytest
 from websockets.sync.client import connect
+from websockets.typing import Origin
 
 from arcless.storage.hidden_files import PREFIX
 from tests.drills.conftest import SHORT
@@ -48,7 +49,7 @@ def all_at_work(server: Server, stack: ExitStack) -> None:
 
     def opened(path: str) -> Any:
         return stack.enter_context(connect(
-            f"ws://{server.host}/api/{path}", origin=f"http://{server.host}",  # type: ignore[arg-type]
+            f"ws://{server.host}/api/{path}", origin=Origin(f"http://{server.host}"),
             additional_headers=headers, max_size=None, compression=None, close_timeout=0.5,
         ))  # fmt: skip
 

@@ -1,4 +1,4 @@
-"""A really full disk below the studio: refusals are sentences, old files stay, it goes on."""
+"""A really full disk below the studio: refusals are sentences, and old files stay."""
 
 import hashlib
 import shutil

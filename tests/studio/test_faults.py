@@ -1,4 +1,4 @@
-"""Whatever goes wrong around the page: it says so, loses nothing, and goes on by itself."""
+"""Faults around the page: it says what happened, loses nothing, and recovers by itself."""
 
 import re
 import shutil

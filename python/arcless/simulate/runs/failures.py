@@ -104,12 +104,19 @@ def stepping(
         names = [placement.name for placement in placements]
         at = None
         if travel is not None and "step" in details:
-            at = min(details["step"], travel.steps)
+            at = _steps_done(details, travel)
             details = {"time": at * travel.time_step, **details}
         failure = translated(mesh, names, kind, message, details)
         if isinstance(failure, ContactError) and travel is not None and at is not None:
             _place(failure, kind, at, placements, travel)
         raise failure from error
+
+
+def _steps_done(details: dict[str, Any], travel: Motion) -> int:
+    """Return how many steps were done at the time of a failure."""
+    time = details.get("time")
+    done = details["step"] if time is None else round(time / travel.time_step)
+    return int(min(done, travel.steps))
 
 
 def _place(
@@ -121,7 +128,7 @@ def _place(
 ) -> None:
     """Put into the error of a step when that was, and where the pantographs were.
 
-    The message has the place already where one is beside the wire.
+    Where one has left the wire the message has its place already.
     """
     failure.time_s = at * travel.time_step
     failure.positions_m = {

@@ -1,4 +1,4 @@
-"""Words of the page in the place of options of the command line: in the page nobody types them."""
+"""Words of the page for options of the command line, which nobody types there."""
 
 import re
 

@@ -11,8 +11,8 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from arcless.errors import OutputError
-from arcless.studio.project import left_behind
 from arcless.studio.project.project import Project
+from arcless.studio.runs import left_behind
 from arcless.studio.server import page
 from arcless.studio.server.app import application
 from arcless.studio.server.crowd import Crowd, protocol

@@ -129,6 +129,10 @@ def test_a_step_that_fails_says_where_the_pantographs_are(short: Short) -> None:
     assert pickle.loads(pickle.dumps(error)).positions_m == error.positions_m
     told = complaint(error)
     assert (told["time_s"], told["positions_m"]) == (error.time_s, error.positions_m)
+    # A step is counted from its start or its end; its time decides.
+    with pytest.raises(ContactError) as caught, failures.stepping(mesh, placements, travel):
+        raise _core.NativeError("slack_set", "", {"step": 12, "time": 13 * 0.02})
+    assert caught.value.positions_m["front"] == 113.0
     with pytest.raises(ContactError) as caught, failures.stepping(mesh, placements, travel):
         raise _core.NativeError("off_wire", "", {"pantograph": 1, "step": 101, "position": 165.0})
     assert str(caught.value).startswith("step 101: pantograph rear left the wire: got 165.00 m")

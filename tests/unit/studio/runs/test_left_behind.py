@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from arcless.storage import hidden_files
-from arcless.studio.project.left_behind import sweep
+from arcless.studio.runs.left_behind import sweep
 from arcless.studio.project.project import Project
 
 
