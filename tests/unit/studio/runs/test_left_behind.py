@@ -5,8 +5,8 @@ from pathlib import Path
 import pytest
 
 from arcless.storage import hidden_files
-from arcless.studio.runs.left_behind import sweep
 from arcless.studio.project.project import Project
+from arcless.studio.runs.left_behind import sweep
 
 
 @pytest.fixture(autouse=True)
