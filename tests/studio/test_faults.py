@@ -254,7 +254,7 @@ def test_a_run_that_grows_beyond_all_bounds(studio: Start, tmp_path: Path) -> No
     assert f"t = {float(where[1]):.3f} s, P1 at {where[2]} m." in page.text(".drawing .failed")
     assert page.axe() == []
     page.click("text=Show the place")
-    page.click("text=Replay the last seconds")
+    page.click("text=Replay up to t = ")
     page.until("document.querySelector('.transport button[aria-label=Pause]')")
     page.wait(".transport button[aria-label=Play]")  # it stops at the end
     end = float(page.text(".transport .where").split(" · ")[-1].removesuffix(" s"))

@@ -32,7 +32,7 @@ export function Failed() {
       The run failed at t = {found.time_s.toFixed(3)} s
       {Object.entries(found.positions_m).map(([name, x]) => `, ${name} at ${x.toFixed(2)} m`).join("")}.
       <button onClick={showPlace}>Show the place</button>
-      {played.value && <button onClick={replay}>Replay the last seconds</button>}
+      {played.value && <button onClick={replay}>Replay up to t = {clock.end_s.value.toFixed(2)} s</button>}
     </p>
   );
 }
