@@ -80,11 +80,8 @@ class Watching:
                 self._take(piece)
             except Exception as error:  # raised again where the run ends
                 self._failure = self._failure or error
-        try:
-            if self._spool is not None:
-                self._spool.finish()
-        except OSError as error:  # the server is gone, and the run ends with it
-            self._failure = self._failure or error
+        if self._spool is not None:
+            self._spool.finish()
 
     def _take(self, piece: MotionPiece) -> None:
         if piece.attempt != self._attempt:

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from arcless.studio.jobs.worker_process import _most_memory
+from arcless.studio.processes.worker_process import _most_memory
 
 MIB = 2**20
 
