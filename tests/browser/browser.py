@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any, Self
 
 from tests.browser import tools
+from tests.support.processes import below
 
 HERE = Path(__file__).parent
 AXE = tools.FOLDER / "node_modules" / "axe-core" / "axe.min.js"
@@ -68,6 +69,11 @@ class Browser:
         name = next(self._names)
         self.ask(name, "open", {"address": address, **options})
         return name
+
+    @property
+    def processes(self) -> list[int]:
+        """Numbers of the browser's processes, without node, which drives it."""
+        return below(self._process.pid)
 
     def close(self) -> None:
         """End the browser, and node with it."""

@@ -2,6 +2,7 @@
 import { exaggeration, selected } from "../state/selection.ts";
 import { EXAGGERATIONS } from "./camera.ts";
 import "./drawing.css";
+import { Failed } from "./Failed.tsx";
 import { fit } from "./fit.ts";
 import { LineView } from "./LineView.tsx";
 import { edited, isDraft, isPlayed, isTried, played, showing, shown, wrong } from "./scene.ts";
@@ -43,6 +44,7 @@ export function Drawing() {
         {isTried.value && !isPlayed.value && <span class="draft">with values that are tried, not in the file</span>}
       </div>
       {wrong.value && !isPlayed.value && <Wrong />}
+      <Failed />
       {geometry ? (
         <>
           <LineView view="side" />

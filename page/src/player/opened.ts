@@ -4,6 +4,7 @@ import { ask } from "../connection/http.ts";
 import type { Geometry } from "../drawing/geometry.ts";
 import { complain, say } from "../shell/messages.ts";
 import { show, shown } from "../shell/panels.ts";
+import { jobs } from "../state/jobs.ts";
 import { clock, source, type Source } from "../state/selection.ts";
 import { follow, setEnds } from "./clock.ts";
 import { Pull, type Opened } from "./motion/pull.ts";
@@ -56,6 +57,16 @@ function edge(end: number, final: boolean): void {
   wake();
 }
 
+/** There is no more of a source; of a job that failed, or was lost with its server, its end is told already. */
+function closed(of: Source, text: string): void {
+  const job = "job" in of ? jobs.peek().find((one) => one.id === of.job) : undefined;
+  if (!job || job.state === "done") say("error", text);
+  if (!scene.peek()) return;
+  const last = store.track("pantograph.0").times.at(-1) ?? clock.start_s.peek();
+  setEnds(clock.start_s.peek(), last, false);
+  wake();
+}
+
 function open(of: Source): Pull {
   pace.forget();
   const pull = new Pull(of, store, history, {
@@ -63,6 +74,7 @@ function open(of: Source): Pull {
     edge,
     changed: wake,
     failed: (text) => say("error", text),
+    closed: (text) => closed(of, text),
   });
   asking.current = () => {
     const now = scene.peek();

@@ -4,11 +4,11 @@ import { useEffect, useRef } from "preact/hooks";
 import { change, changes } from "../state/changes.ts";
 import { cancel } from "../state/jobs.ts";
 import { project } from "../state/project.ts";
-import { file, scenario } from "../state/selection.ts";
+import { file, scenario, source } from "../state/selection.ts";
 import { complain, messages } from "../shell/messages.ts";
 import { fold, folded } from "../shell/layout.ts";
 import { dialog, listed } from "../shell/window.ts";
-import { canRun, nameOf, run, runningJob, saveAsScenario, withCertainty, withMotion } from "./running.ts";
+import { canRun, isWatched, nameOf, run, runningJob, saveAsScenario, withCertainty, withMotion } from "./running.ts";
 import { fields } from "./scenarioFields.ts";
 import { withUnit } from "./words.ts";
 import { Verdict } from "./Verdict.tsx";
@@ -158,6 +158,7 @@ function Running() {
       <progress max={1} value={job.fraction} aria-label={`Progress of ${job.title}`} />
       <span class="numbers">{job.state === "waiting" ? "waiting" : `${percent} %`}</span>
       <span class="doing">{job.doing}</span>
+      {!isWatched(job) && <button onClick={() => (source.value = { job: job.id })}>Watch</button>}
       <button onClick={() => void cancel(job.id).catch(complain)}>Cancel</button>
     </div>
   );

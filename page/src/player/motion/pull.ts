@@ -40,6 +40,8 @@ export interface Listener {
   /** Frames have come, or a question was answered. */
   changed(): void;
   failed(text: string): void;
+  /** The source is not there any more: what was received is all. */
+  closed(text: string): void;
 }
 
 interface Question extends Wish {
@@ -76,7 +78,7 @@ export class Pull {
       hear("channels", mine((message) => this.announced(message as unknown as Opened))),
       hear("edge", mine((message) => listener.edge(message["end_s"] as number, message["final"] as boolean))),
       hear("sent", mine((message) => this.answered(message))),
-      hear("error", mine((message) => listener.failed(message["text"] as string))),
+      hear("error", mine((message) => this.refused(message["about"], message["text"] as string))),
       whenOpen(() => {
         this.asked = null;
         tell({ topic: "play", source });
@@ -101,6 +103,13 @@ export class Pull {
     );
     this.asked = null;
     this.listener.opened(about);
+  }
+
+  private refused(about: unknown, text: string): void {
+    if (about !== "play") return this.listener.failed(text);
+    for (const end of this.takers) end();
+    this.takers = [];
+    this.listener.closed(text);
   }
 
   private answered(message: Message): void {

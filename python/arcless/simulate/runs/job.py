@@ -95,7 +95,7 @@ class Job:
         if audience is not None:
             take, piece = audience.take, 1
         began = time.perf_counter()
-        with stepping(mesh, placements):
+        with stepping(mesh, placements, self.travel):
             raw = self.model.run(
                 pantographs=pantograph_data,
                 distances=[p.distance for p in placements],

@@ -11,6 +11,7 @@ from starlette.responses import JSONResponse, Response
 from starlette.routing import Route
 
 from arcless.errors import ArclessError
+from arcless.studio.answers.wording import in_words_of_the_page
 
 _BAD_REQUEST, _FAULT = 400, 500
 Handler = Callable[[Request], Awaitable[Any]]
@@ -69,10 +70,18 @@ def _fault(error: Exception) -> str:
 
 
 def complaint(error: ArclessError | Refused) -> dict[str, Any]:
-    """Return an error as the page shows it: its whole sentence, and its parts where it has them."""
-    parts = ("what", "where", "got", "expected", "hint", "field")
+    """Return an error as the page shows it: its whole sentence, and its parts where it has them.
+
+    Of a step also the time in s and the positions of the pantographs in m, by name.
+    """
+    parts = ("what", "where", "got", "expected", "hint", "field", "time_s")
     found = {name: getattr(error, name, None) for name in parts}
-    return {"text": str(error), **{name: value for name, value in found.items() if value}}
+    found["positions_m"] = dict(getattr(error, "positions_m", {}))
+    told = {"text": str(error), **{name: value for name, value in found.items() if value}}
+    return {
+        name: in_words_of_the_page(value) if isinstance(value, str) else value
+        for name, value in told.items()
+    }
 
 
 def plain_value(value: Any) -> Any:

@@ -49,7 +49,8 @@ class Worker:
     process
         The process.
     used
-        Memory in bytes that it has used at most, as it said after its last task.
+        Memory in bytes that it has used at most, as it said after its last task; 0 where nothing
+        tells it.
     """
 
     def __init__(self, last_s: float = LAST_S) -> None:
@@ -168,7 +169,7 @@ class Worker:
                 heard(said)
             case ("end", how, value, used):
                 self._tasks.popleft()
-                self.used = used
+                self.used = used or 0
                 if how == "done":
                     end.set_result(value)
                 else:

@@ -91,13 +91,22 @@ def _failure(error: Exception) -> tuple[str, str | None]:
     return f"internal fault: {type(error).__name__}: {error}", "please report it"
 
 
-def _most_memory() -> int:
-    """Return the most memory in bytes that this process has used.
+def _most_memory(status: Path = Path("/proc/self/status")) -> int | None:
+    """Return the most memory in bytes that this process has used; None where nothing tells it.
 
-    That of `getrusage` is no less than what the server used when it started the process.
+    Without Linux's `status` that of `getrusage` counts, which on Linux is no less than what the
+    server used when it started the process.
     """
-    status = Path("/proc/self/status").read_text("ascii")
-    return 1024 * int(status.partition("VmHWM:")[2].split(maxsplit=1)[0])
+    with suppress(OSError):
+        found = status.read_text("ascii").partition("VmHWM:")[2].split(maxsplit=1)
+        if found:
+            return 1024 * int(found[0])
+    try:
+        import resource
+    except ImportError:  # Windows
+        return None
+    unit = 1 if sys.platform == "darwin" else 1024  # bytes of ru_maxrss: getrusage(2) of each
+    return unit * resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
 
 
 if __name__ == "__main__":

@@ -3,7 +3,6 @@
 from contextlib import ExitStack
 from functools import partial
 from pathlib import Path
-from tempfile import TemporaryDirectory
 from typing import Any
 
 import numpy as np
@@ -15,6 +14,7 @@ from arcless.results.kept_runs.places import RESULT_NAME
 from arcless.results.kept_runs.reading import read
 from arcless.results.run_folder import files
 from arcless.results.run_folder.run_folder import for_run
+from arcless.storage import hidden_files
 from arcless.studio.at_rest.of_run import geometry_of_run
 from arcless.studio.jobs.spooling import spooled
 from arcless.studio.motion.watching import Watching
@@ -53,8 +53,8 @@ def motion(talk: Talk, file: Path) -> bool:
     Nothing is written but the spool.
     """
     stored = open_result(file)
-    with TemporaryDirectory(prefix="arcless-studio-") as folder:
-        again = _simulate(talk, stored.scenario, Path(folder) / RESULT_NAME, None)
+    with hidden_files.temporary_folder() as folder:
+        again = _simulate(talk, stored.scenario, folder / RESULT_NAME, None)
         before, now = (one.recorded["contact_force"].values for one in (stored, again))
         same = bool(np.array_equal(before, now))
     if not same:

@@ -13,6 +13,7 @@ from typing import Any
 
 from arcless import study
 from arcless.errors import ArclessError, StudyError
+from arcless.studio.answers.wording import in_words_of_the_page
 from arcless.studio.processes.ends import Cancelled, Failed
 from arcless.studio.processes.talk import Talk
 from arcless.studio.processes.worker import Worker
@@ -98,7 +99,9 @@ class Computing:
         """Return what ended a study before its time, in a sentence; None where nothing did."""
         one = self._all.get(folder)
         error = one[1].exception() if one is not None and one[1].done() else None
-        return None if error is None or isinstance(error, Cancelled) else str(error)
+        if error is None or isinstance(error, Cancelled):
+            return None
+        return in_words_of_the_page(str(error))
 
     @asynccontextmanager
     async def at_work(self) -> AsyncIterator[None]:

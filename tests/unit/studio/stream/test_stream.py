@@ -178,6 +178,13 @@ def test_all_pages_hear_what_is_told(port: int, hub: Hub) -> None:
         assert one.hear("project") == other.hear("project") == {"topic": "project"}
 
 
+def test_a_page_to_which_nobody_has_anything_to_say_hears_that_the_server_is_there(
+    port: int,
+) -> None:
+    with page(port) as one:
+        assert one.hear("beat") == one.hear("beat") == {"topic": "beat"}
+
+
 def test_a_page_that_reads_nothing_fills_no_memory(port: int, monkeypatch: Any, hub: Hub) -> None:
     """Its frames are dropped, its messages replaced; another page is served meanwhile."""
     boxes: list[outbox.Outbox] = []
