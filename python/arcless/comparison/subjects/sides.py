@@ -225,8 +225,9 @@ def _assessed(on_line: Placed, base: Subject, section: tuple[float, float]) -> A
     """Return the numbers of a measurement by the filter and the supply of the reference."""
     supply = base.scenario.line.design.supply if isinstance(base, Result) else None
     return assess_measurement(
-        on_line.measurement, supply=supply, section=section, low_pass_Hz=_cutoff_Hz(base)
-    )
+        on_line.measurement, supply=supply, section=section, low_pass_Hz=_cutoff_Hz(base),
+        supports_m=_supports(base),
+    )  # fmt: skip
 
 
 def _over(run: Result, section: tuple[float, float]) -> Assessment:

@@ -15,11 +15,13 @@ from typing import Any
 
 from arcless.assess import (
     MET,
+    NOT_JUDGED,
     NOT_MET,
     NOT_MET_UNVERIFIED,
     TOO_CLOSE,
     assess,
     decides,
+    is_withheld,
     verdict_of,
 )
 from arcless.dataset.metadata import metadata
@@ -37,6 +39,8 @@ from arcless.results.kept_runs.kept_run import (
 )
 from arcless.results.kept_runs.places import ASSESSMENT_NAME, RESULT_NAME
 
+# Criteria that could be compared, and are not judged: see `is_withheld`.
+WITHHELD = "withheld"
 # Head of the criteria whose limits were not read in a source.
 UNVERIFIED = "beyond a limit that is not verified"
 # Time in s after the result within which its assessment is written. Longer, one that was edited
@@ -114,16 +118,23 @@ def _numbers(assessment: Mapping[str, Any]) -> dict[str, Any]:
 def judged(criteria: list[dict[str, Any]]) -> tuple[Verdict, str | None]:
     """Return the verdict over all criteria, and those of which there is more to say.
 
-    Criteria too close to tell count as met, as in `Assessment.passed`.
+    Criteria too close to tell count as met, as in `Assessment.passed`. Where a number could have
+    been compared with a limit that decides and is not judged, the run is not judged.
     """
     titles: dict[str, list[str]] = defaultdict(list)
     several = len({one["pantograph"] for one in criteria} - {None}) > 1
     for one in criteria:
         of = f" ({one['pantograph']})" if several and one["pantograph"] else ""
-        titles[verdict_of(one)].append(f"{one['title']}{of}")
+        word = WITHHELD if is_withheld(one) else verdict_of(one)
+        titles[word].append(f"{one['title']}{of}")
     decided = any(decides(one["mark"]) and verdict_of(one) in (MET, TOO_CLOSE) for one in criteria)
+    withheld = [one for one in criteria if is_withheld(one)]
+    decided &= not any(decides(one["mark"]) for one in withheld)
     verdict: Verdict = "met" if decided else "not judged"
-    heads = {NOT_MET: "", NOT_MET_UNVERIFIED: f"{UNVERIFIED}: ", TOO_CLOSE: f"{TOO_CLOSE}: "}
+    heads = {
+        NOT_MET: "", NOT_MET_UNVERIFIED: f"{UNVERIFIED}: ", TOO_CLOSE: f"{TOO_CLOSE}: ",
+        WITHHELD: f"{NOT_JUDGED}: ",
+    }  # fmt: skip
     parts = [f"{head}{', '.join(titles[word])}" for word, head in heads.items() if titles[word]]
     return "not met" if titles[NOT_MET] else verdict, "; ".join(parts) or None
 

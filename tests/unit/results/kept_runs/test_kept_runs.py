@@ -97,6 +97,17 @@ def test_without_a_limit_that_decides_nothing_is_met(tmp_path: Path) -> None:
     assert reading.judged(criteria)[0] == "met"  # as `Assessment.passed` has it
 
 
+def test_a_run_whose_deviation_is_not_judged_is_not_met(tmp_path: Path) -> None:
+    saved(tmp_path, section=(200.0, 280.0))  # spans of 50 m: fewer than two
+    found = only(tmp_path)
+    assert found.verdict == "not judged"
+    assert found.reason is not None
+    assert "not judged: standard deviation σ, statistical maximum" in found.reason
+    # What is not judged for want of a value or of a limit is not told: it could not be compared.
+    assert "lateral" not in found.reason
+    assert "uplift" not in found.reason
+
+
 def test_of_several_pantographs_the_worst_leads(tmp_path: Path) -> None:
     saved(tmp_path, pantographs=("P1", "P2"))
     file = tmp_path / "assessment.json"
