@@ -370,7 +370,7 @@ def test_a_section_beyond_the_run_says_what_was_run_over() -> None:
 
 
 def test_deviations_over_less_than_two_spans_are_not_judged() -> None:
-    """Spans of 50 m, from 0 on; a sine of 50 N about 85 N misses the limits that σ has a part in."""
+    """Spans of 50 m, from 0 on; 50 N about 85 N miss limits that σ has a part in."""
     dataset = synthetic_dataset(force=lambda t: 85.0 + sine(1.0, 50.0)(t))
     deviations = {"standard_deviation", "statistical_max", "statistical_min"}
 
