@@ -31,6 +31,9 @@ export interface RunEntry {
   reason: string | null;
   name: string | null;
   created: string | null;
+  /** Name of its line, and a digest of what that says. */
+  line: string | null;
+  line_digest: string | null;
   speed_m_s: number | null;
   changes: Record<string, string>;
   pantographs: MainNumbers[];

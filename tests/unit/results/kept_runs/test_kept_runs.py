@@ -65,6 +65,19 @@ def test_numbers_are_those_of_the_assessment(tmp_path: Path) -> None:
     assert found.worst is own
 
 
+def test_lines_of_one_name_are_told_apart_by_what_they_say(tmp_path: Path) -> None:
+    data = scenario_data()
+    stiffer = json.loads(json.dumps(data))
+    stiffer["line"]["contact_wire"]["tension"] *= 1.1
+    told = json.loads(json.dumps(data))
+    told["line"]["description"] = "the same line in other words"
+    for name, one in (("a", data), ("b", stiffer), ("c", told)):
+        saved(tmp_path / name, scenario=one)
+    found = {one.path.name: one for one in arcless.runs(tmp_path)}
+    assert {one.line for one in found.values()} == {data["line"]["name"]}
+    assert found["a"].line_digest == found["c"].line_digest != found["b"].line_digest
+
+
 def test_a_criterion_that_is_not_met_is_named(tmp_path: Path) -> None:
     assessment = saved(tmp_path, **SHAKEN).assessment
     found = only(tmp_path)
