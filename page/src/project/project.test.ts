@@ -4,6 +4,7 @@ import type { Criterion } from "../results/told.ts";
 import type { RunEntry } from "../state/project.ts";
 import { freeName } from "./copy.ts";
 import { differences, leadingWords, matches, verdictOf, withUnit } from "./words.ts";
+import { newestRun } from "./running.ts";
 import { sorted } from "./scenarioFields.ts";
 
 const run = (path: string, more: Partial<RunEntry>): RunEntry => ({
@@ -37,7 +38,8 @@ it("finds speed and pantographs among the fields of a form", () => {
     { field: "pantographs.0.model", typed: "a" },
     { field: "pantographs.0.mean_force", typed: "100 N" },
   ];
-  expect(sorted("x", found)).toEqual({ path: "x", speed: "275 km/h", pantographs: ["a", "b"] });
+  expect(sorted("x", found)).toEqual({ path: "x", speed: "275 km/h", line: null, pantographs: ["a", "b"] });
+  expect(sorted("x", [{ field: "line", typed: "a-line.yaml" }]).line).toBe("a-line.yaml");
 });
 
 it("names what differs between runs, and nothing else", () => {
@@ -48,6 +50,12 @@ it("names what differs between runs, and nothing else", () => {
   ];
   expect(differences(runs)).toEqual([["a", "speed as in the file"], ["a", "speed 300 km/h"], ["b", "speed 300 km/h"]]);
   expect(differences(runs.slice(1, 2))).toEqual([["a", "speed 300 km/h"]]);
+});
+
+it("finds the newest run that can be read", () => {
+  expect(newestRun([])).toBeNull();
+  const all = [run("a", { created: "2026-01-02" }), run("b", { created: "2026-01-01" }), run("c", { created: "2026-01-03", verdict: "unreadable" })];
+  expect(newestRun(all)).toBe("a");
 });
 
 it("names the line where runs differ by nothing else", () => {

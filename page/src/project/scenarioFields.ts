@@ -15,6 +15,8 @@ export interface ScenarioFields {
   path: string;
   /** As typed: "275 km/h"; null where the form does not tell. */
   speed: string | null;
+  /** The line that it names; null where it holds its own. */
+  line: string | null;
   /** Names of the pantographs' models, the leading one first. */
   pantographs: string[];
 }
@@ -31,6 +33,7 @@ export function sorted(path: string, found: readonly Field[]): ScenarioFields {
   });
   return {
     path,
+    line: text(found.find(({ field }) => field === "line")?.typed),
     speed: text(found.find(({ field }) => field === "speed")?.typed),
     pantographs: models.sort(([a], [b]) => a - b).map(([, model]) => model),
   };

@@ -1,6 +1,7 @@
 /** What the user is told: complaints, warnings, notes. Whole sentences. */
 import { signal } from "@preact/signals";
 import { RefusedError } from "../connection/http.ts";
+import { below } from "../state/project.ts";
 
 export interface Told {
   id: number;
@@ -21,5 +22,5 @@ export function dismiss(id: number): void {
 
 /** Tell what went wrong with something that was asked for. */
 export function complain(error: unknown): void {
-  say("error", error instanceof RefusedError ? error.complaint.text : String(error));
+  say("error", error instanceof RefusedError ? below(error.complaint.text) : String(error));
 }

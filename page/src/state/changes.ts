@@ -4,12 +4,18 @@
  */
 import { signal } from "@preact/signals";
 
-export type Changes = Record<string, string | number>;
+type Scalar = string | number | boolean | null;
+/** As typed; a list such as pre-sags is whole. */
+export type Typed = Scalar | Scalar[];
+export type Changes = Record<string, Typed>;
+
+/** A value in words. */
+export const written = (value: Typed): string => (Array.isArray(value) ? `[${value.join(", ")}]` : String(value));
 
 export const changes = signal<Changes>({});
 
 /** Change a field for the next run; the value of the file takes the change back. */
-export function change(field: string, value: string | number, ofFile?: string | number | null): void {
+export function change(field: string, value: Typed, ofFile?: Typed): void {
   const { [field]: _, ...others } = changes.peek();
   changes.value = value === ofFile || value === "" ? others : { ...others, [field]: value };
 }

@@ -67,6 +67,12 @@ export interface ProjectView {
 
 export const project = signal<ProjectView | null>(null);
 
+/** A text of the server with paths as the project has them, below its folder. */
+export function below(text: string): string {
+  const folder = project.peek()?.folder;
+  return folder ? text.replaceAll(`${folder}/`, "") : text;
+}
+
 export async function readProject(): Promise<void> {
   project.value = await ask<ProjectView>("project");
 }

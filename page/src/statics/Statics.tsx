@@ -6,12 +6,16 @@ import { wrong } from "../drawing/scene.ts";
 import { kind, opened, writable } from "../editor/documents.ts";
 import { followForm, form } from "../editor/formData.ts";
 import { patch } from "../editor/patch.ts";
+import { canRun, nameOf } from "../project/running.ts";
 import { complain, say } from "../shell/messages.ts";
+import { file, scenario } from "../state/selection.ts";
+import { told } from "../state/subject.ts";
 import { askPart, frequencies, isAsking, isTrying, now, ofFile, tried, wanted, type AtRest } from "./asking.ts";
 import { Chart } from "./Chart.tsx";
 import { fieldsOf, firstSliders, numbersOf, PRESAG, presagScale, sliderBy, written, type Slider } from "./sliders.ts";
 import "./statics.css";
 import { DropperTable, difference, SupportTable } from "./Tables.tsx";
+import { isOfScenario, lineOfScenario, runTried } from "./variant.ts";
 
 /** Sliders by file, in their order; without an entry the first ones. */
 const chosen = signal<Record<string, string[]>>({});
@@ -159,7 +163,12 @@ function Sliders() {
         );
       })}
       {!sliders.length && kind.value === "scenario" && (
-        <p class="empty">This scenario names its line. Open the line to move its tensions, pre-sag and droppers.</p>
+        <p class="empty">
+          This scenario names its line, whose tensions, pre-sag and droppers are moved there.{" "}
+          {lineOfScenario.value !== null && (
+            <button onClick={() => (file.value = lineOfScenario.peek())}>Open the line {told(lineOfScenario.value)}</button>
+          )}
+        </p>
       )}
       <p class="acts">
         <label>
@@ -175,6 +184,15 @@ function Sliders() {
         <button onClick={() => void write()} disabled={!isChanged || !writable.value}>
           Write to file
         </button>
+        {isOfScenario.value && (
+          <button
+            onClick={() => void runTried()}
+            disabled={!isChanged || !canRun.value}
+            title={`Run ${nameOf(scenario.value!)} with these values; no file is changed`}
+          >
+            Run as variant
+          </button>
+        )}
         <button onClick={reset} disabled={!isChanged}>
           Reset
         </button>

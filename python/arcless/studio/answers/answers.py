@@ -11,6 +11,7 @@ from starlette.responses import JSONResponse, Response
 from starlette.routing import Route
 
 from arcless.errors import ArclessError
+from arcless.studio.answers.page_words import in_page_words
 
 _BAD_REQUEST, _FAULT = 400, 500
 Handler = Callable[[Request], Awaitable[Any]]
@@ -72,7 +73,11 @@ def complaint(error: ArclessError) -> dict[str, Any]:
     """Return an error as the page shows it: its whole sentence, and its parts where it has them."""
     parts = ("what", "where", "got", "expected", "hint", "field")
     found = {name: getattr(error, name, None) for name in parts}
-    return {"text": str(error), **{name: value for name, value in found.items() if value}}
+    if found["hint"]:
+        hint = in_page_words(f"; hint: {found['hint']}").removeprefix("; hint: ")
+        found["hint"] = hint or None
+    text = in_page_words(str(error))
+    return {"text": text, **{name: value for name, value in found.items() if value}}
 
 
 def plain_value(value: Any) -> Any:
