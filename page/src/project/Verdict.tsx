@@ -38,11 +38,11 @@ export function Verdict() {
       <strong>{lead && entry.verdict !== "stopped early" ? lead.verdict : word}</strong>
       {lead && (
         <>
-          <span class="criterion">{lead.title}</span>
+          <span class={lead.isSign ? "criterion sign" : "criterion"}>{lead.title}</span>
           <span class="numbers">
             {lead.value} {lead.limit && <span class="soft">(limit {lead.limit})</span>}
           </span>
-          {lead.more > 0 && <span class="numbers soft">and {lead.more} more</span>}
+          {lead.more > 0 && <span class="more soft">and {lead.more} more</span>}
         </>
       )}
       {told?.other_version && <span class="soft">computed by Arcless {told.version}</span>}

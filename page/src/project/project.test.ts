@@ -48,7 +48,7 @@ it("names what differs between runs, and nothing else", () => {
     run("r/2", { changes: { speed: "300 km/h" }, speed_m_s: 83.3 }),
     run("r/3", { name: "b", changes: { speed: "300 km/h" }, speed_m_s: 83.3 }),
   ];
-  expect(differences(runs)).toEqual([["a", "speed as in the file"], ["a", "speed 300 km/h"], ["b", "speed 300 km/h"]]);
+  expect(differences(runs)).toEqual([["a", "as in the file"], ["a", "speed 300 km/h"], ["b", "speed 300 km/h"]]);
   expect(differences(runs.slice(1, 2))).toEqual([["a", "speed 300 km/h"]]);
 });
 
@@ -81,7 +81,7 @@ it("says of the leading criterion value, limit and unit, and how many more there
   const uplift = criterion("uplift_space", { title: "space required for the uplift", value: "116", limit: "≤ 100", unit: "mm" });
   const all = [uplift, criterion("standard_deviation", {}), criterion("wave_speed_use", { verdict: "met" })];
   expect(leadingWords(uplift, all, false)).toEqual({
-    verdict: "not met", title: "space required for the uplift", value: "116 mm", limit: "≤ 100 mm", more: 1,
+    verdict: "not met", title: "space required for the uplift", isSign: false, value: "116 mm", limit: "≤ 100 mm", more: 1,
   });
   const met = criterion("standard_deviation", { verdict: "met" });
   expect(leadingWords(met, [met, met], true)).toMatchObject({ title: "σ of P1", value: "60.8 N", more: 0 });

@@ -23,6 +23,8 @@ export const verdictOf = (verdict: RunEntry["verdict"]): Shown => VERDICTS[verdi
 export interface Lead {
   verdict: string;
   title: string;
+  /** The title is a sign: it has room always. */
+  isSign: boolean;
   value: string;
   limit: string;
   /** How many others have the same verdict. */
@@ -38,6 +40,7 @@ export function leadingWords(lead: Criterion, all: readonly Criterion[], several
   return {
     verdict: lead.verdict,
     title: (SIGNS[lead.name] ?? lead.title) + (several && lead.pantograph ? ` of ${lead.pantograph}` : ""),
+    isSign: lead.name in SIGNS,
     value: `${lead.value}${unit}`,
     limit: lead.limit === "–" ? "" : `${lead.limit}${unit}`,
     more: lead.verdict === "met" || lead.verdict === "not judged" ? 0 : same - 1,
@@ -75,31 +78,28 @@ export function numbers(run: RunEntry): [string, string, string][] {
   ];
 }
 
-/** Lines of the runs by name; of lines of one name that differ, which version it is, the oldest first. */
-function lines(runs: readonly RunEntry[]): string[] {
-  const oldest = [...runs].sort((a, b) => (a.created ?? "").localeCompare(b.created ?? ""));
-  return runs.map(({ line, line_digest }) => {
-    const versions = [...new Set(oldest.filter((one) => one.line === line).map((one) => one.line_digest))];
-    const which = versions.length > 1 ? `, version ${versions.indexOf(line_digest) + 1} of ${versions.length}` : "";
-    return line === null ? "" : `line ${line}${which}`;
-  });
+/** The line of a run; of lines of one name that differ, which version it is, the oldest first. */
+function lineOf(run: RunEntry, others: readonly RunEntry[]): string {
+  const oldest = [...others].sort((a, b) => (a.created ?? "").localeCompare(b.created ?? ""));
+  const versions = [...new Set(oldest.filter((one) => one.line === run.line).map((one) => one.line_digest))];
+  const which = versions.length > 1 ? `, version ${versions.indexOf(run.line_digest) + 1} of ${versions.length}` : "";
+  return `line ${run.line}${which}`;
 }
 
 /**
  * Name of each run and what tells it from the others. Fields that all runs set to the same value are left
- * out, and what is recorded: it changes no number. Of a run on another line than others of its name the
- * line is told, where no field says it.
+ * out, and what is recorded: it changes no number. Of runs that no field tells apart the line is told,
+ * where it differs.
  */
 export function differences(runs: readonly RunEntry[]): [string, string][] {
   const fields = [...new Set(runs.flatMap((run) => Object.keys(run.changes)))].filter((field) => !field.startsWith("output."));
   const differs = runs.length < 2 ? fields : fields.filter((field) => new Set(runs.map((run) => run.changes[field])).size > 1);
-  const onLine = lines(runs);
-  return runs.map((run, place) => {
-    const told = differs.map((field) => `${field} ${run.changes[field] ?? "as in the file"}`);
-    // A field that is set makes another line too, and says more.
-    const like = (one: RunEntry) => one.name === run.name && differs.every((field) => one.changes[field] === run.changes[field]);
-    const isOther = runs.some((one) => like(one) && one.line_digest !== run.line_digest);
-    return [run.name ?? run.path, [...told, ...(isOther && onLine[place] ? [onLine[place]] : [])].join(", ")];
+  return runs.map((run) => {
+    const told = differs.filter((field) => field in run.changes).map((field) => `${field} ${run.changes[field]}`);
+    const alike = runs.filter((one) => one.name === run.name && differs.every((field) => one.changes[field] === run.changes[field]));
+    if (run.line !== null && alike.some((one) => one.line_digest !== run.line_digest)) told.push(lineOf(run, alike));
+    const asInFile = runs.some((one) => one !== run && one.name === run.name && !alike.includes(one));
+    return [run.name ?? run.path, told.join(", ") || (asInFile ? "as in the file" : "")];
   });
 }
 
