@@ -105,7 +105,7 @@ def test_position_is_found_but_for_the_delay_of_the_amplifier(run: Result, tmp_p
 def test_a_run_lies_on_itself_without_the_mass_above_the_sensors(
     run: Result, tmp_path: Path, low_pass_Hz: float
 ) -> None:
-    """Sensor forces that miss the inertia lag by metres; the heights beside them do not."""
+    """Sensor forces that miss the inertia lag by metres; heights do not."""
     sensors = {"rate_Hz": 500.0, "low_pass_Hz": low_pass_Hz}
     found = measured(run, tmp_path, corrected=False, **sensors)
     placed = found.sides[1].placed

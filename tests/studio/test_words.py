@@ -1,4 +1,4 @@
-"""What the page says: verdict, what tells runs apart, errors of files, first screens."""
+"""Words of the page: verdict, what tells runs apart, errors of files, first screens."""
 
 import re
 from collections.abc import Callable

@@ -16,7 +16,7 @@ FEWEST = 2
 # Most characters of a run's name in legends and heads of columns: two of them stand side by side in
 # a terminal of 80 columns, and six in a legend. Runs with a longer one are numbered.
 LONGEST_NAME = 28
-# The same of a measurement, whose file and kind are always told: in heads of columns it is wrapped.
+# Characters of a measurement's name, which tells its file and its kind: heads of columns wrap it.
 # Measurements with a longer one are numbered.
 LONGEST_MEASURED = 56
 MEASURED = "measured"

@@ -1,4 +1,4 @@
-"""What a function in a worker tells the server of its progress."""
+"""Progress of a function in a worker, as the server is told of it."""
 
 from multiprocessing import Pipe
 from types import SimpleNamespace
