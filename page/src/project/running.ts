@@ -106,12 +106,11 @@ const isSmall = () => matchMedia("(max-width: 700px)").matches;
 export const newestRun = (runs: readonly RunEntry[]): string | null =>
   [...runs].filter((one) => one.verdict !== "unreadable").sort((a, b) => (a.created ?? "").localeCompare(b.created ?? "")).at(-1)?.path ?? null;
 
-/** Where the tree is out of sight, or nothing else can be opened, the newest run is shown at first. */
+/** Where the tree is out of sight the newest run is shown at first. */
 function openNewest(view: ProjectView): void {
-  const hasScenario = view.models.some((one) => one.kind === "scenario" && !one.error);
   const nothing = source.peek() === null && ticked.peek().length === 0;
   const path = newestRun(view.runs);
-  if (nothing && path !== null && (isSmall() || !hasScenario)) source.value = { run: path };
+  if (nothing && path !== null && isSmall()) source.value = { run: path };
 }
 
 export function followRuns(): void {
