@@ -155,7 +155,7 @@ function Running() {
     <div class="running">
       <progress max={1} value={job.fraction} aria-label={`Progress of ${job.title}`} />
       <span class="numbers">{job.state === "waiting" ? "waiting" : `${percent} %`}</span>
-      <span class="doing">{job.doing}</span>
+      <span class="doing" title={job.doing}>{job.doing}</span>
       <button onClick={() => void cancel(job.id).catch(complain)}>Cancel</button>
     </div>
   );

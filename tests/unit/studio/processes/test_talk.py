@@ -6,8 +6,8 @@ from typing import Any
 
 import pytest
 
-from arcless.studio.jobs import talk
-from arcless.studio.jobs.talk import Talk
+from arcless.studio.processes import talk
+from arcless.studio.processes.talk import Talk
 
 
 @pytest.fixture
@@ -30,7 +30,7 @@ def test_another_phase_is_told_at_once_and_the_same_one_now_and_then(clock: list
     one.progress(1.0, "assessing")
     told: list[Any] = []
     while there.poll():
-        told.append(there.recv()[1:])
+        told.append(there.recv()[1][1:])
     assert told == [
         (0.0, "finding the line at rest"),
         (0.0, "stepping, 0.0 of 8.0 s"),
