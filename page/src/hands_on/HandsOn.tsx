@@ -85,7 +85,7 @@ function Pace() {
   return (
     <span class="pace">
       <label>
-        Speed{" "}
+        Pace{" "}
         <select value={String(rate.value)} onChange={(event) => setRate(Number(event.currentTarget.value))}>
           {RATES.map((one) => (
             <option key={one} value={String(one)}>{one === 1 ? "real time" : `${one} × real time`}</option>
@@ -106,7 +106,7 @@ function Running() {
         <button onClick={stop}>Stop</button>
         <Pace />
         <span class="soft">
-          {(3.6 * told.speed_m_s).toFixed(0)} km/h{laps.value > 0 && ` · begun anew at the end of the line: ${laps.value} ×`}
+          Train at {(3.6 * told.speed_m_s).toFixed(0)} km/h{laps.value > 0 && ` · begun anew at the end of the line: ${laps.value} ×`}
         </span>
       </div>
       {told.notes.map((note) => (

@@ -6,7 +6,7 @@ import { changes } from "../state/changes.ts";
 import { keepFailure } from "../state/failure.ts";
 import { hasEnded, jobs, type Job } from "../state/jobs.ts";
 import { settled } from "../state/pending.ts";
-import { project, readProject } from "../state/project.ts";
+import { below, project, readProject, type ProjectView, type RunEntry } from "../state/project.ts";
 import { file, scenario, source, ticked } from "../state/selection.ts";
 
 export const withMotion = signal(true);
@@ -93,7 +93,7 @@ function ended(job: Job): void {
   started.delete(job.id);
   if (job.state === "failed") {
     keepFailure(job);
-    return say("error", job.error?.text ?? `${job.title} failed.`);
+    return say("error", job.error ? below(job.error.text) : `${job.title} failed.`);
   }
   if (job.state !== "done" || job.path === null) return;
   for (const note of job.notes) say("warning", note);
@@ -133,7 +133,28 @@ function watched(job: Job): void {
   if (job.state === "failed") keepFailure(job);
 }
 
+/** The window is that of a phone: the tree stands below all else. */
+const isSmall = () => matchMedia("(max-width: 700px)").matches;
+
+/** The newest run that can be read; null without one. */
+export const newestRun = (runs: readonly RunEntry[]): string | null =>
+  [...runs].filter((one) => one.verdict !== "unreadable").sort((a, b) => (a.created ?? "").localeCompare(b.created ?? "")).at(-1)?.path ?? null;
+
+/** Where the tree is out of sight the newest run is shown at first. */
+function openNewest(view: ProjectView): void {
+  const nothing = source.peek() === null && ticked.peek().length === 0;
+  const path = newestRun(view.runs);
+  if (nothing && path !== null && isSmall()) source.value = { run: path };
+}
+
 export function followRuns(): void {
+  let isFirst = true;
+  effect(() => {
+    const view = project.value;
+    if (!view || !isFirst) return;
+    isFirst = false;
+    openNewest(view);
+  });
   effect(() => {
     const all = jobs.value;
     untracked(() => all.forEach(endedIf));

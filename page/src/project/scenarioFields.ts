@@ -17,7 +17,7 @@ export interface ScenarioFields {
   path: string;
   /** As typed: "275 km/h"; null where the form does not tell. */
   speed: string | null;
-  /** As typed; null where the scenario holds its line, or is a variant. */
+  /** The line that it names, or that its base names; null where it holds its own. */
   line: string | null;
   /** Names of the pantographs' models, the leading one first. */
   pantographs: string[];

@@ -8,8 +8,8 @@ import { ScaleKey } from "../charts/ScaleKey.tsx";
 import { decimals } from "../charts/numbers.ts";
 import { scaleOf } from "./paint.ts";
 import { SpaceTimeView } from "./spaceTimeView.ts";
-import { RunList } from "./RunList.tsx";
-import { Nothing, Refusal } from "./State.tsx";
+import { NoRun } from "./RunList.tsx";
+import { Refusal } from "./State.tsx";
 import { MotionOffer } from "./MotionOffer.tsx";
 import { shownRun, versionOf } from "./which.ts";
 import "../charts/charts.css";
@@ -17,14 +17,7 @@ import "./results.css";
 
 export function SpaceTime() {
   const run = shownRun.value;
-  if (run === null) {
-    return (
-      <Nothing>
-        <p>No run is chosen. Tick one whose motion was recorded.</p>
-        <RunList />
-      </Nothing>
-    );
-  }
+  if (run === null) return <NoRun then="the motion of its wires is shown over position and time." />;
   return <View key={versionOf([run])} run={run} />;
 }
 
@@ -42,6 +35,7 @@ function View({ run }: { run: string }) {
     {complaint.value && <Refusal complaint={complaint.value} what={`The motion of ${run} cannot be shown`} />}
     <div class="space-time" hidden={told}>
       <div class="bar">
+        {!about && <span role="status">Loading the motion of {run} …</span>}
         <label>
           <input type="checkbox" checked={waves.value} onChange={(event) => (waves.value = event.currentTarget.checked)} /> fronts at
           the wave speed{about?.wave_speed ? `, ${decimals(about.wave_speed, 1)} m/s` : ""}

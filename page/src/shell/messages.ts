@@ -3,6 +3,7 @@ import { signal } from "@preact/signals";
 import { RefusedError } from "../connection/http.ts";
 import { connection } from "../connection/stream.ts";
 import { isMissingPart, look } from "../connection/version.ts";
+import { below } from "../state/project.ts";
 
 export interface Told {
   id: number;
@@ -31,7 +32,7 @@ export function dismiss(id: number): void {
 /** Tell what went wrong with something that was asked for. */
 export function complain(error: unknown): void {
   if (isMissingPart(error)) return void partIsMissing();
-  say("error", error instanceof RefusedError ? error.complaint.text : String(error));
+  say("error", error instanceof RefusedError ? below(error.complaint.text) : String(error));
 }
 
 /** Of another version, or of a server that is gone, the banner tells; of nothing else that can be known. */

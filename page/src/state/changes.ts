@@ -7,6 +7,10 @@ import { signal } from "@preact/signals";
 export type Changed = string | number | boolean | null | Changed[] | { [key: string]: Changed };
 export type Changes = Record<string, Changed>;
 
+/** A value in words. */
+export const written = (value: Changed): string =>
+  Array.isArray(value) ? `[${value.map(written).join(", ")}]` : typeof value === "object" && value !== null ? JSON.stringify(value) : String(value);
+
 export const changes = signal<Changes>({});
 
 /** Change a field for the next run; the value of the file takes the change back. */

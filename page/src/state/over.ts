@@ -3,7 +3,7 @@
  * the scenario, the file that is open, and what the next run changes. Texts have their drafts.
  */
 import { effect } from "@preact/signals";
-import { changes } from "./changes.ts";
+import { changes, type Changes } from "./changes.ts";
 import { project, type ProjectView } from "./project.ts";
 import { file, scenario } from "./selection.ts";
 
@@ -13,7 +13,7 @@ interface Kept {
   folder: string;
   scenario: string | null;
   file: string | null;
-  changes: Record<string, string | number>;
+  changes: Changes;
 }
 
 function found(): Kept | null {

@@ -9,7 +9,7 @@ import type { Geometry, Handles } from "../drawing/geometry.ts";
 import { edited, handles, isDraft, isTried, showing, wrong } from "../drawing/scene.ts";
 import { kindOf, opened, text } from "../editor/documents.ts";
 import type { Value } from "../editor/patch.ts";
-import { project } from "../state/project.ts";
+import { below } from "../state/project.ts";
 
 export interface DropperRow {
   name: string;
@@ -138,7 +138,7 @@ function next(): void {
 function take(question: Question, answer: AtRest, number: number): void {
   if (question.path !== opened.peek()?.path || answer.dropped) return;
   shownNumber = number;
-  wrong.value = answer.errors[0] ? below(answer.errors[0]) : null;
+  wrong.value = answer.errors[0] ? { ...answer.errors[0], text: below(answer.errors[0].text) } : null;
   if (wrong.value) return;
   if (answer.line) {
     handles.value = answer.handles ?? null;
@@ -150,12 +150,6 @@ function take(question: Question, answer: AtRest, number: number): void {
   frequencies.value = null;
   now.value = answer;
   if (!answer.draft && !Object.keys(question.changes).length) ofFile.value = answer;
-}
-
-/** A complaint with paths as the project has them, below its folder. */
-function below(complaint: Complaint): Complaint {
-  const folder = project.peek()?.folder;
-  return folder ? { ...complaint, text: complaint.text.replaceAll(`${folder}/`, "") } : complaint;
 }
 
 /** Whatever takes long, once slider and keys rest. */

@@ -11,7 +11,7 @@ from starlette.responses import JSONResponse, Response
 from starlette.routing import Route
 
 from arcless.errors import ArclessError
-from arcless.studio.answers.wording import in_words_of_the_page
+from arcless.studio.answers.page_words import in_page_words
 
 _BAD_REQUEST, _FAULT = 400, 500
 Handler = Callable[[Request], Awaitable[Any]]
@@ -77,11 +77,11 @@ def complaint(error: ArclessError | Refused) -> dict[str, Any]:
     parts = ("what", "where", "got", "expected", "hint", "field", "time_s")
     found = {name: getattr(error, name, None) for name in parts}
     found["positions_m"] = dict(getattr(error, "positions_m", {}))
-    told = {"text": str(error), **{name: value for name, value in found.items() if value}}
-    return {
-        name: in_words_of_the_page(value) if isinstance(value, str) else value
-        for name, value in told.items()
-    }
+    if found["hint"]:
+        hint = in_page_words(f"; hint: {found['hint']}").removeprefix("; hint: ")
+        found["hint"] = hint or None
+    text = in_page_words(str(error))
+    return {"text": text, **{name: value for name, value in found.items() if value}}
 
 
 def plain_value(value: Any) -> Any:

@@ -34,16 +34,19 @@ class Talk:
     cancelled: Event = field(default_factory=Event)
     orders: "queue.SimpleQueue[Any]" = field(default_factory=queue.SimpleQueue)
     _next: float = 0.0
+    _phase: str = ""
     _one: Lock = field(default_factory=Lock)
 
     def progress(self, fraction: float, doing: str) -> None:
         """Tell the fraction done and what is being done, not oftener than 20 times a second.
 
+        Another phase is told at once: a short one would be missed, and what comes behind it has the
+        name of the one before. What stands behind a comma, the time of the run, is no other phase.
         A server that does not listen, a stopped one, is told nothing: the run does not wait.
         """
-        now = time.monotonic()
-        if now >= self._next and self.has_room():
-            self._next = now + _BETWEEN_S
+        now, phase = time.monotonic(), doing.partition(",")[0]
+        if (now >= self._next or phase != self._phase) and self.has_room():
+            self._next, self._phase = now + _BETWEEN_S, phase
             self.say(("progress", fraction, doing))
 
     def note(self, text: str) -> None:

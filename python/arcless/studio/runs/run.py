@@ -40,10 +40,9 @@ def run(talk: Talk, order: Order) -> dict[str, Any]:
     with for_run(order.folder, overwrite=order.replace) as folder:
         result = _simulate(talk, order.scenario, folder.file(RESULT_NAME), order.command)
         _note_others(talk, result, order)
-        talk.progress(1.0, "assessment and report")
         if talk.cancel():
             raise KeyboardInterrupt
-        files.write(result, folder, reference_rows)
+        files.write(result, folder, reference_rows, lambda doing: talk.progress(1.0, doing))
     return described(order.folder)
 
 
@@ -142,11 +141,11 @@ def write_report(talk: Talk, file: Path, to: Path) -> str:
     from arcless.validate import reference_rows
 
     result = open_result(file)
-    talk.progress(0.1, "assessment")
+    talk.progress(0.1, "assessing")
     rows = reference_rows(result.scenario, result.assessment.to_dict())
     if talk.cancel():
         raise KeyboardInterrupt
-    talk.progress(0.3, "report")
+    talk.progress(0.3, "writing the report")
     write = result.write_pdf if to.suffix == ".pdf" else result.write_report
     write(to, reference_rows=rows)
     return to.name

@@ -13,7 +13,7 @@ from typing import Any
 
 from arcless import study
 from arcless.errors import ArclessError, StudyError
-from arcless.studio.answers.wording import in_words_of_the_page
+from arcless.studio.answers.page_words import in_page_words
 from arcless.studio.processes.ends import Cancelled, Failed
 from arcless.studio.processes.talk import Talk
 from arcless.studio.processes.worker import Worker
@@ -101,7 +101,7 @@ class Computing:
         error = one[1].exception() if one is not None and one[1].done() else None
         if error is None or isinstance(error, Cancelled):
             return None
-        return in_words_of_the_page(str(error))
+        return in_page_words(str(error))
 
     @asynccontextmanager
     async def at_work(self) -> AsyncIterator[None]:

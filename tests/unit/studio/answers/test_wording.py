@@ -7,7 +7,7 @@ from pathlib import Path
 import arcless
 from arcless.errors import OutputError
 from arcless.studio.answers.answers import complaint
-from arcless.studio.answers.wording import in_words_of_the_page
+from arcless.studio.answers.page_words import in_page_words
 
 PACKAGE = Path(arcless.__file__).parent
 # Where errors come from that a page is told: of output folders, of studies, of measured runs.
@@ -43,13 +43,13 @@ def texts() -> list[str]:
 def test_no_option_is_left() -> None:
     all_ = [text for text in texts() if not OTHERS.search(text)]
     assert len(all_) > 10
-    left = [text for text in all_ if OPTION.search(in_words_of_the_page(text))]
+    left = [text for text in all_ if OPTION.search(in_page_words(text))]
     assert left == []
 
 
 def test_a_study_that_was_begun() -> None:
     for todo in ("choose another folder", "look at it, or begin anew"):
-        words = in_words_of_the_page(f"{todo} with `--out NEW_FOLDER`")
+        words = in_page_words(f"{todo} with `--out NEW_FOLDER`")
         assert words.endswith("another name")
 
 

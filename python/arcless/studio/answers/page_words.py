@@ -1,4 +1,4 @@
-"""Words of the page for options of the command line, which nobody types there."""
+"""Hints of the package in words of the page, which has no options of a command line."""
 
 import re
 
@@ -33,10 +33,33 @@ _WORDS = (
     ("give another offset (--offset)", _ALIGNED),
     ("give `--head-mass`, or call", "call"),
 )
+# Parts of hints that name options → what the page offers instead; nothing where it offers nothing.
+_INSTEAD = (
+    (r", or another folder with `?--to`?", ""),
+    (r"leave the ending out; `?--to`? names a folder", "leave the ending out"),
+    (r"`?--to`? names a folder", "leave the folder out"),
+    (r"leave `?--with-pantographs`? out, or begin", "begin"),
+    (r"choose another (folder|one) with `--out`", "give the scenario or the study another name"),
+    (r"in another folder with `--out`", "with another name"),
+    (r"with `--out NEW_FOLDER`", "with another name"),
+    (r" \(`?--[a-z-]+`?\)", ""),
+)
+_OPTION = re.compile(r"(?<![\w-])--[a-z]")
+_HINT = "; hint: "
 
 
-def in_words_of_the_page(text: str) -> str:
-    """Return a message without options of the command line."""
+def in_page_words(text: str) -> str:
+    """Return a sentence without options of the command line; a hint that needs one is left out.
+
+    Parameters
+    ----------
+    text
+        A hint, a whole message with its hint behind it, or a remark.
+    """
     for typed, words in _WORDS:
         text = text.replace(typed, words)
-    return _MAKES_ONE.sub("running a scenario makes one", text)
+    text = _MAKES_ONE.sub("running a scenario makes one", text)
+    for found, instead in _INSTEAD:
+        text = re.sub(found, instead, text)
+    message, mark, hint = text.partition(_HINT)
+    return message if mark and _OPTION.search(hint) else text
