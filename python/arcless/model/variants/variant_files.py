@@ -80,9 +80,9 @@ def scenario_of(data: Mapping[str, Any], origin: Origin) -> Scenario:
         found = apply(base, changes, Origins(entries, variant.sources), place)
     except ModelError as error:
         path = _place(error, changes)
-        named = origin.where(path)
+        here = origin.where(path)
         # A place of its own is that of a table that the value names.
-        error.where = named if error.where is None else f"{error.where} (named in {named})"
+        error.where = here if error.where is None else f"{error.where} (named in {here})"
         error.field = path
         raise
     named = {"name": variant.name, "description": variant.description or base.description}
