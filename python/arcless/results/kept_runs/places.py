@@ -110,7 +110,7 @@ def _description(file: Path) -> ResultFormatError:
     if own.exists():
         hint = f"the run is {own}"
     elif file.suffix.lower() in _DESCRIPTIONS:
-        hint = f"`arcless run {file}` makes a run of it"
+        hint = f"if it is a scenario, `arcless run {file}` makes a run of it"
     return ResultFormatError(
         "file that describes what to run, or follows from it",
         where=str(file),
