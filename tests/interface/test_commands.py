@@ -158,6 +158,7 @@ def test_statics_prints_tables_and_json(arcless: Arcless, short: Path, tmp_path:
     assert "Droppers of span" in printed.stdout
     assert "Resonance speeds" in printed.stdout
     assert "wave speed" in printed.stdout
+    assert "Note: speeds above 576 km/h" in printed.stdout
 
 
 def test_statics_draws_the_line(arcless: Arcless, short: Path, tmp_path: Path) -> None:

@@ -110,6 +110,7 @@ def test_what_measure_tells_and_refuses(arcless: Run, finished: Path) -> None:
     refused(arcless("measure", finished, "--to", "a.csv", "--pantograph", "P9"), "one of P1")
     refused(arcless("measure", finished, "--to", "a.csv", "--rate", "1 MHz"), "--rate")
     refused(arcless("measure", "none", "--to", "a.csv"), "none")
+    refused(arcless("measure", finished, "--to", "a.xlsx"), "expected a name that ends in .csv")
     assert not Path("a.csv").exists()
 
 

@@ -25,6 +25,8 @@ if TYPE_CHECKING:
 COMPRESSION = {"zlib": True, "complevel": WHOLE, "shuffle": True, "_FillValue": None}
 
 
+# The first bytes of every HDF5 file without a user block, as h5py writes them.
+HDF5 = b"\x89HDF\r\n\x1a\n"
 # Exceptions of the library for files that are no results. `RuntimeError` has `RecursionError`.
 UNREADABLE = (
     OSError, ValueError, KeyError, RuntimeError, TypeError, IndexError, AttributeError, MemoryError,
@@ -97,6 +99,7 @@ def open_plain(path: str | Path) -> Plain:
         )
     with _reading(file):
         is_sealed = checksum.check(file)
+        _check_kind(file)
         dataset = _opened(file)
     _check(dataset, file)
     if not is_sealed:
@@ -123,6 +126,21 @@ def _opened(file: Path) -> Plain:
         lazy_reader.LazyVariables(coords, read),
         lazy_reader.attributes(opened),
     )
+
+
+def _check_kind(file: Path) -> None:
+    """Refuse a file that does not begin as NetCDF-4, which is HDF5, does."""
+    with file.open("rb") as opened:
+        first = opened.read(len(HDF5))
+    if first == HDF5:
+        return
+    zipped = first.startswith(b"PK")
+    kind = "an Excel workbook or another ZIP file" if zipped else "a file of another kind"
+    raise ResultFormatError(
+        "cannot read the result file", where=str(file), got=kind if first else "an empty file",
+        expected="a NetCDF file written by `arcless run`",
+        hint="a measured run is a CSV file, whose name ends in .csv",
+    )  # fmt: skip
 
 
 @contextmanager

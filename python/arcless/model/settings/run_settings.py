@@ -13,6 +13,8 @@ from arcless.units import WRONG_VALUE
 
 # 1080 km/h: above any train, and a speed in km/h written without its unit is often above it.
 MAX_SPEED = 300.0
+# In m/s, 576 km/h. No train on rails was faster (574.8 km/h, France, 2007).
+FASTEST_TRAIN = 160.0
 MAX_PROFILE = 50_000
 # The time step in which the collector moves by one element of the contact wire.
 ONE_ELEMENT: Final = "one element"
