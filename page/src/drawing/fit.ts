@@ -32,12 +32,19 @@ export function exaggerate(larger: boolean): void {
   exaggeration.value = nextExaggeration(exaggeration.peek(), larger);
 }
 
-let name: string | null = null;
-// Another line is seen as a whole first; the same one, changed, stays where it was looked at.
+/** Ends of a line that differ by less than this, in m, are the same: those of coarse elements are rounded. */
+const SAME_END = 1e-3;
+
+let before: { name: string; x: [number, number] } | null = null;
+// Another line is seen as a whole first. One that was changed, and the line of a run from end to end
+// of it, stay where they were looked at; what is played is followed by its player.
 effect(() => {
-  const line = edited.value;
-  if (line && line.name !== name && shown.peek() === line) {
-    name = line.name;
-    requestAnimationFrame(fit);
-  }
+  const line = shown.value;
+  if (!line) return;
+  const { x } = indexOf(line);
+  const known = before;
+  before = { name: line.name, x };
+  if (line !== edited.peek()) return;
+  const isAsLong = known?.x.every((end, at) => Math.abs(end - x[at]!) < SAME_END);
+  if (known?.name !== line.name && !isAsLong) requestAnimationFrame(fit);
 });

@@ -16,7 +16,7 @@ export function start(packed: Packed): void {
   unpack(packed, store, history);
   const times = timesOf(packed);
   const { geometry, pantographs, row_s } = packed;
-  present({ geometry, pantographs, row_s, wires: true }, times[0]!, times.at(-1)!, false);
+  present({ geometry, pantographs, row_s, wires: true, search: null }, times[0]!, times.at(-1)!, false);
   clock.time_s.value = packed.begin_s;
   clock.rate.value = SLOW;
   worst.value = packed.worst;

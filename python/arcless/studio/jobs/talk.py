@@ -62,7 +62,13 @@ class Talk:
         return self.spool is not None
 
     def motion(
-        self, layout: RowLayout, geometry: Geometry, *, every_s: float, end_s: float
+        self,
+        layout: RowLayout,
+        geometry: Geometry,
+        *,
+        every_s: float,
+        end_s: float,
+        search: int | None = None,
     ) -> SpoolWriter:
         """Announce a motion, and return what takes its rows; a later one takes its place.
 
@@ -74,6 +80,8 @@ class Talk:
             Interval of the rows in s.
         end_s
             Time in s at which the motion will end.
+        search
+            Which attempt of a search for the static force it is, from 1; None: it is the run.
 
         Raises
         ------
@@ -82,7 +90,7 @@ class Talk:
         """
         if self.spool is None:
             raise ValueError("a job without a spool")
-        self.send(("motion", layout, geometry, every_s, end_s))
+        self.send(("motion", layout, geometry, every_s, end_s, search))
         return SpoolWriter(self.spool, layout.type, self._grown)
 
     def send(self, message: Any) -> None:
