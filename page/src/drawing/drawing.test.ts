@@ -89,6 +89,30 @@ describe("index", () => {
   });
 });
 
+describe("twins", () => {
+  /** Contact wires over ranges of positions in m. */
+  const seconds = (...ranges: [number, number][]) => {
+    const wires = ranges.map(([start, end], n) => ({
+      name: `contact wire ${n + 1}`, kind: "contact" as const, first: 0, x: [start, end], y: [0.1 * n, 0.1 * n], z: [5.3, 5.3],
+    }));
+    return indexOf({ ...line(), wires }).wires.map((wire) => wire.isSecond);
+  };
+  it("run side by side all along; in an overlap one wire ends where the next one goes on", () => {
+    expect(seconds([0, 1000], [0, 1000])).toEqual([false, true]);
+    expect(seconds([0, 1000], [900, 1900], [1800, 2800])).toEqual([false, false, false]);
+    // Two tension lengths of twins.
+    expect(seconds([0, 1000], [0, 1000], [900, 1900], [900, 1900])).toEqual([false, true, false, true]);
+  });
+  it("are told by name, each with its height", () => {
+    const geometry = line();
+    const [contact] = geometry.wires;
+    geometry.wires = [{ ...contact!, name: "contact wire 1" }, { ...contact!, name: "contact wire 2", y: contact!.y.map(() => 0.14) }];
+    expect(placeInWords(geometry, indexOf(geometry), 60)).toBe(
+      "span 2 · 60.00 m · contact wire 1 5.300 m · lateral 0.100 m · contact wire 2 5.300 m · lateral 0.140 m",
+    );
+  });
+});
+
 describe("level of detail", () => {
   const count = (nodes: number) => {
     let points = 0;

@@ -35,16 +35,22 @@ export function exaggerate(larger: boolean): void {
 /** Ends of a line that differ by less than this, in m, are the same: those of coarse elements are rounded. */
 const SAME_END = 1e-3;
 
-let before: { name: string; x: [number, number] } | null = null;
-// Another line is seen as a whole first. One that was changed, and the line of a run from end to end
-// of it, stay where they were looked at; what is played is followed by its player.
+const isSame = (one: [number, number], other: [number, number]): boolean =>
+  one.every((end, at) => Math.abs(end - other[at]!) < SAME_END);
+
+let name: string | null = null;
+/** Ends in m of the line that was seen last. */
+let seen: [number, number] | null = null;
 effect(() => {
   const line = shown.value;
-  if (!line) return;
+  if (line && line !== edited.peek()) seen = indexOf(line).x;
+});
+// Another line is seen as a whole first. One that was changed, and one as long as the line of the
+// run that was seen until now, stay where they were looked at.
+effect(() => {
+  const line = edited.value;
+  if (!line || shown.peek() !== line) return;
   const { x } = indexOf(line);
-  const known = before;
-  before = { name: line.name, x };
-  if (line !== edited.peek()) return;
-  const isAsLong = known?.x.every((end, at) => Math.abs(end - x[at]!) < SAME_END);
-  if (known?.name !== line.name && !isAsLong) requestAnimationFrame(fit);
+  if (line.name !== name && !(seen && isSame(seen, x))) requestAnimationFrame(fit);
+  [name, seen] = [line.name, x];
 });

@@ -16,6 +16,9 @@ const COLOURS = {
 } as const;
 const CONTACT_WIDTH = 2.4;
 const OTHER_WIDTH = 1.4;
+// The second wire of twins: hollow in dashes, so that both are seen where one hides the other.
+const SECOND_WIDTH = 3;
+const HOLLOW = { width: 1.4, dash: [6, 5] };
 // Level of detail, in px: nodes, droppers and numbers that are nearer to one another are not drawn.
 const NODES_PER_PIXEL = 2;
 const DROPPER_APART = 3;
@@ -74,7 +77,14 @@ function wires(pencil: Pencil, view: View, now: Moved | null, colour?: string): 
     const wire = line.wires[number]!;
     context.strokeStyle = pencil.colour(colour ?? COLOURS[wire.kind]);
     context.lineWidth = colour ? 1 : wire.kind === "contact" ? CONTACT_WIDTH : OTHER_WIDTH;
+    if (wire.isSecond && !colour) context.lineWidth = SECOND_WIDTH;
     traceWire(context, camera, wire, view, now?.wires[number]);
+    if (!wire.isSecond || colour) continue;
+    context.strokeStyle = pencil.colour("paper");
+    context.lineWidth = HOLLOW.width;
+    context.setLineDash(HOLLOW.dash);
+    context.stroke();
+    context.setLineDash([]);
   }
 }
 

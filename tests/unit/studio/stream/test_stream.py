@@ -152,7 +152,7 @@ def test_a_run_that_begins_again_is_announced_again(port: int, sources: Sources)
     with page(port) as one:
         about = one.play({"run": "again"})
         assert (about["again"], about["search"]) == (False, 1)
-        first.later = SyntheticMotion(end_s=7.0)
+        first.later = SyntheticMotion(end_s=7.0, search=2)
         about = one.hear("channels")
         assert (about["again"], about["end_s"], about["search"]) == (True, 7.0, 2)
         assert one.want({"run": "again"}, 6.0, 7.0, 0.5)["frames"] == 3
