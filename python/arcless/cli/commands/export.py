@@ -27,13 +27,19 @@ def export(
 
     .csv and .parquet have contact channels over time, the filtered contact force among them, with
     units in the header; .mat has droppers and supports as well, and what supports carry over time;
-    .xlsx also assessment and criteria.
+    .xlsx also assessment and criteria. Recorded motion of the wires stays in result.nc, and a note
+    says so.
     """
     from arcless.results import open as open_result
     from arcless.results.export.files import check_target
 
     check_target(to)
-    open_result(result).export(to)
+    run = open_result(result)
+    run.export(to)
+    if "motion_up" in run.latest:
+        console.note(
+            "the recorded motion of the wires is not exported: result.nc has it, a NetCDF file"
+        )
     console.data(f"wrote {to}")
 
 
