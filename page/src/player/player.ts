@@ -4,7 +4,7 @@
  */
 import { batch, effect, signal } from "@preact/signals";
 import type { Geometry } from "../drawing/geometry.ts";
-import { moved, played, redraw, showing, type MovedWire } from "../drawing/scene.ts";
+import { moved, played, redrawNow, showing, type MovedWire } from "../drawing/scene.ts";
 import { clock } from "../state/selection.ts";
 import { pause, setEnds, tick } from "./clock.ts";
 import { History } from "./motion/history.ts";
@@ -83,7 +83,7 @@ function show(): void {
     waiting.value = !state.current.complete;
   }
   for (const view of viewers) view();
-  redraw();
+  redrawNow();
 }
 
 function movedWire({ up, across, moving }: MotionState["wires"][number]): MovedWire | null {
@@ -95,10 +95,13 @@ function movedWire({ up, across, moving }: MotionState["wires"][number]): MovedW
 
 function frame(now: number): void {
   awake = false;
-  tick(Math.min((now - before) / 1000, LONGEST), limit);
-  before = now;
-  asking.current?.();
-  show();
+  // Views are drawn at the end, once, of all that has changed.
+  batch(() => {
+    tick(Math.min((now - before) / 1000, LONGEST), limit);
+    before = now;
+    asking.current?.();
+    show();
+  });
   if (clock.playing.peek()) wake();
 }
 
