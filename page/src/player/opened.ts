@@ -47,11 +47,14 @@ async function opened(of: Source, about: Opened): Promise<void> {
     if (known && (about.wires !== known.wires || !fits(known, next))) store.clear();
     present(next, about.start_s, about.end_s, !about.final);
     if (!known) toTheLine();
-    if (!known && !about.final) follow();
+    if (!known && !about.final && !isStill()) follow();
   } catch (error) {
     if (current?.source === of) complain(error);
   }
 }
+
+/** Whoever wants little motion starts it by hand: a run is then not followed by itself. */
+const isStill = (): boolean => matchMedia("(prefers-reduced-motion: reduce)").matches;
 
 /** Who opens a run from the first screen wants to see it; other panels stay. */
 function toTheLine(): void {

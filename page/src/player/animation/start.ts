@@ -4,7 +4,7 @@ import { clock } from "../../state/selection.ts";
 import { worst } from "../places.ts";
 import { history, present, store, viewers } from "../player.ts";
 import { followCamera } from "../views/camera.ts";
-import { stored } from "../views/columns.ts";
+import { stored, topOf } from "../views/columns.ts";
 import { drawPlan, drawSide } from "../views/pantographs.ts";
 import { drawVelocity } from "../views/velocity.ts";
 import { columnOf, timesOf, unpack, type Packed } from "./unpack.ts";
@@ -20,7 +20,8 @@ export function start(packed: Packed): void {
   clock.time_s.value = packed.begin_s;
   clock.rate.value = SLOW;
   worst.value = packed.worst;
-  stored.value = { raw: packed.force.raw.map(columnOf), filtered: packed.force.filtered.map(columnOf) };
+  const raw = packed.force.raw.map(columnOf);
+  stored.value = { raw, filtered: packed.force.filtered.map(columnOf), top: topOf(raw) };
   addLayer({ id: "velocity", order: 0, view: "side", draw: drawVelocity });
   addLayer({ id: "pantographs", order: 1, view: "side", draw: drawSide });
   addLayer({ id: "pantographs in plan", order: 1, view: "plan", draw: drawPlan });

@@ -5,6 +5,7 @@
 import { useRef } from "preact/hooks";
 import { LEFT, RIGHT, ticks, zoomed } from "../../drawing/camera.ts";
 import { useCanvas, type Sheet } from "../../drawing/canvas.ts";
+import { below } from "../../drawing/lineIndex.ts";
 import { isPlayed, shown, sight, whole } from "../../drawing/scene.ts";
 import { cursor, range } from "../../state/selection.ts";
 import { standAt } from "../places.ts";
@@ -97,8 +98,9 @@ function curve(on: Axis, ends: Ends, name: string, width: number): void {
 }
 
 const columnEnds = ({ x, low, high }: Column): Ends => {
-  let at = 0;
+  let at = -1;
   return (from, to) => {
+    if (at < 0) at = below(x, from);
     while (at > 0 && x[at - 1]! >= from) at--;
     while (at < x.length && x[at]! < from) at++;
     let found: [number, number] | null = null;
@@ -112,10 +114,10 @@ const columnEnds = ({ x, low, high }: Column): Ends => {
 
 function paintForce(sheet: Sheet): void {
   const columns = stored.value;
-  let largest = FORCE_STEP;
+  let largest = Math.max(FORCE_STEP, columns.top);
   const raw = state.current.pantographs.map((_, number) => columns.raw[number] ?? null);
   raw.forEach((column, number) => {
-    const top = column ? Math.max(0, ...column.high) : (history.force[number]?.ends(...sight.value)?.[1] ?? 0);
+    const top = column ? 0 : (history.force[number]?.ends(...sight.value)?.[1] ?? 0);
     if (top > largest) largest = top;
   });
   const high = Math.ceil(largest / FORCE_STEP) * FORCE_STEP;
