@@ -21,8 +21,8 @@ test("places are as far apart as in the range that is asked about", () => {
 });
 
 test("a part is asked for where the whole is coarser than what is seen", () => {
-  expect(wantedPart([0, 50_000], whole(5), null)).toBe(null);
-  expect(wantedPart([1000, 1170], whole(0.5), null)).toBe(null);
+  expect(wantedPart([0, 50_000], whole(5), [660, 1510])).toBe("whole");
+  expect(wantedPart([1000, 1170], whole(0.5), null)).toBe("whole");
   expect(wantedPart([1000, 1170], whole(5), null)).toEqual([660, 1510]);
 });
 

@@ -29,15 +29,16 @@ export function columnOf(bytes: ArrayBuffer): Column {
   return { x: all.subarray(0, count), low: all.subarray(count, 2 * count), high: all.subarray(2 * count) };
 }
 
-/** The part to ask for; `null` where what is there is fine enough for what is seen. */
-export function wantedPart(seen: Range, whole: Stored, part: Range | null): Range | null {
+/** The part to ask for; "whole" where that is fine enough for what is seen, `null` where the part that is there is. */
+export function wantedPart(seen: Range, whole: Stored, part: Range | null): Range | "whole" | null {
   const length = seen[1] - seen[0];
   const isFine = whole.raw.every((column) => !column || widest(column, seen) <= COARSE * length);
   // Asked anew before its end is seen, and where much less is seen than when it was asked for.
   const near = NEAR * length;
   const isWide = part && part[0] <= seen[0] - near && part[1] >= seen[1] + near;
   const holds = isWide && part[1] - part[0] <= 2 * (2 * BESIDE + 1) * length;
-  return isFine || holds ? null : [seen[0] - BESIDE * length, seen[1] + BESIDE * length];
+  if (isFine) return "whole";
+  return holds ? null : [seen[0] - BESIDE * length, seen[1] + BESIDE * length];
 }
 
 async function columns(run: string, count: number, part: Range | null, signal?: AbortSignal): Promise<Omit<Stored, "top">> {
@@ -57,23 +58,24 @@ function followPart(run: string, count: number, whole: Stored): () => void {
   let part: Range | null = null;
   let timer: ReturnType<typeof setTimeout> | undefined;
   const answer = newest((signal: AbortSignal, wanted: Range) => columns(run, count, wanted, signal));
+  const use = (next: Range | null, columns: Stored) => {
+    part = next;
+    stored.value = columns;
+  };
   const look = async () => {
     timer = undefined;
     const wanted = wantedPart(sight.peek(), whole, part);
-    if (!wanted) return;
+    if (wanted === "whole" && part) use(null, whole);
+    if (!wanted || wanted === "whole") return;
     const found = await answer(wanted);
     if (!found || isOver || !found.raw.some((column) => column?.x.length)) return;
-    part = wanted;
-    stored.value = { ...found, top: whole.top };
+    use(wanted, { ...found, top: whole.top });
   };
   let isOver = false;
   const end = effect(() => {
     const [from, to] = sight.value;
-    // What is seen lies beyond the part: the whole is coarse, and better than nothing.
-    if (part && (to < part[0] || from > part[1])) {
-      part = null;
-      stored.value = whole;
-    }
+    // Some of what is seen lies beyond the part: the whole is coarse, and better than nothing.
+    if (part && (from < part[0] || to > part[1])) use(null, whole);
     timer ??= setTimeout(() => void look(), REST);
   });
   return () => {
