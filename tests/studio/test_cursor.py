@@ -26,7 +26,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture
 def page(studio: Start, folder: Path) -> Iterator[Window]:
-    """Return a window that shows the line of the run, beside the fields of the line's file."""
+    """Return a window that shows the line of the run and the fields of the line's file."""
     found = studio(folder).open()
     found.click('nav.left >> text="line-line"')
     found.wait(".form legend")

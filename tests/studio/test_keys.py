@@ -23,7 +23,7 @@ LISTED = ("Space", "←", "→", "Shift→", "J", "K", "F", "E", "C", "CtrlEnter
 
 @pytest.fixture
 def page(studio: Start, tmp_path: Path) -> Iterator[Window]:
-    """Return a window in which a known motion is played, beside a scenario that can be run."""
+    """Return a window in which a known motion is played, in a folder with a scenario."""
     command("new", "line", "--from", "en50318-ac-simple-320-planar", "--to", tmp_path)
     (tmp_path / "runs" / "a").mkdir(parents=True)
     arcless.run(small()).save(tmp_path / "runs" / "a" / "result.nc")
