@@ -61,7 +61,6 @@ class Desk:
                                  self._project.folder)  # fmt: skip
         folder = self._project.folder / study.StudyFolder(loaded).path
         self._project.inside(self._project.name_of(folder))
-        words = ["resume" if resume else "run", *(["--retry-failed"] if retry_failed else [])]
         if self._computing.is_running(folder):
             raise already(folder)
         place = study.StudyFolder(loaded, folder)
@@ -73,7 +72,9 @@ class Desk:
             )  # fmt: skip
         if resume:
             place.check_same()
-        self._computing.start([*words, os.fspath(file)], folder, self._project.folder)
+        self._computing.start(
+            file, folder, self._project.folder, resume=resume, retry_failed=retry_failed
+        )
         return {"path": self._project.name_of(folder)}
 
     def stop(self, path: str) -> dict[str, str]:

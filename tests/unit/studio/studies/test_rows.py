@@ -1,5 +1,6 @@
 """Rows as the page reads them, variants as scenarios, and studies that are computed."""
 
+import asyncio
 import time
 from pathlib import Path
 from typing import Any
@@ -158,12 +159,38 @@ def test_a_study_is_computed_stopped_and_gone_on_with(project: Project) -> None:
     _until(lambda: not computing.is_running(project.folder / FOLDER))
 
 
+def test_a_study_ends_with_the_server_and_keeps_its_rows(project: Project) -> None:
+    (project.folder / FILE).write_text(TEXT.replace("count: 2", "count: 400"))
+    computing = Computing()
+    desk = Desk(project, computing)
+
+    async def serve() -> None:
+        async with computing.at_work():
+            desk.run(FILE, resume=False, retry_failed=False)
+            _until(lambda: desk.rows(FOLDER, 0, "", 1)["there"] > 0)
+
+    asyncio.run(serve())
+    _until(lambda: not computing.is_running(project.folder / FOLDER))
+    found = desk.rows(FOLDER, 0, "", 1)
+    assert 0 < found["there"] < found["total"]
+    assert found["error"] is None
+
+
 def test_what_ends_a_study_is_told(project: Project) -> None:
     computing = Computing()
     folder = project.folder / "runs" / "x"
-    computing.start(["run", "missing.yaml"], folder, project.folder)
+    computing.start(project.folder / "missing.yaml", folder, project.folder)
     _until(lambda: not computing.is_running(folder))
     assert "missing.yaml" in str(computing.error(folder))
+
+
+def test_a_study_without_a_value_says_so(desk: Desk, project: Project) -> None:
+    (project.folder / FILE).write_text(TEXT.replace("100 N, 130 N, 160 N, ", ""))
+    desk.run(FILE, resume=False, retry_failed=False)
+    _until(lambda: not desk.rows(FOLDER, 0, "", 1)["own"])
+    found = desk.rows(FOLDER, 0, "", 100)
+    assert found["counts"] == {"invalid": 2}
+    assert "no variant has a value" in found["error"]
 
 
 def _until(ready: Any) -> None:
