@@ -12,6 +12,7 @@ from typer.testing import Result
 import arcless as package
 from arcless.errors import OutputError
 from arcless.results.export import files, tables
+from tests.support.small import small
 from tests.support.studies import filled
 
 Command = Callable[..., Result]
@@ -33,6 +34,18 @@ def test_csv_holds_the_channels_with_units_and_every_bit(arcless: Command, finis
     for key, unit in (("position", "m"), ("contact_force", "N"), ("contact_height", "m")):
         assert np.array_equal(np.float64(found[f"P1.{key} [{unit}]"]), data[key][:, 0]), key
     assert "P1.mass_2.displacement [m]" in found
+
+
+def test_recorded_motion_is_left_out_with_a_word(
+    arcless: Command, finished: Path, tmp_path: Path
+) -> None:
+    assert "motion" not in arcless("export", finished, "--to", "plain.csv").stderr
+    package.run(small().with_(output={"motion": True})).save(tmp_path / "result.nc")
+    for name in ("run.csv", "run.mat"):
+        done = arcless("export", tmp_path / "result.nc", "--to", name)
+        assert (done.exit_code, done.stdout) == (0, f"wrote {name}\n")
+        assert "motion of the wires is not exported: result.nc has it" in done.stderr
+    assert "motion" not in Path("run.csv").read_text("utf-8").splitlines()[0]
 
 
 def test_the_filtered_force_has_the_statistics_of_the_assessment(

@@ -5,6 +5,7 @@
 import { useSignal } from "@preact/signals";
 import { useEffect, useMemo, useRef } from "preact/hooks";
 import { ScaleKey } from "../charts/ScaleKey.tsx";
+import { colour } from "../charts/colours.ts";
 import { decimals } from "../charts/numbers.ts";
 import { scaleOf } from "./paint.ts";
 import { SpaceTimeView } from "./spaceTimeView.ts";
@@ -26,7 +27,7 @@ function View({ run }: { run: string }) {
   const waves = useSignal(true);
   const view = useMemo(() => new SpaceTimeView(run, waves), []);
   useEffect(() => view.start(canvas.current!), []);
-  const { shown, complaint, absent, readout, zoomed } = view;
+  const { shown, complaint, absent, readout, waiting, zoomed } = view;
   const about = shown.value?.about;
   const told = absent.value || complaint.value !== null;
   return (
@@ -42,8 +43,11 @@ function View({ run }: { run: string }) {
         </label>
         {zoomed.value && <button onClick={() => view.reset()}>Show all</button>}
         {about?.paths.map((path) => (
-          <span key={path.name}>{path.name}</span>
+          <span key={path.name}>
+            <i class="key" style={{ background: colour(path.colour) }} aria-hidden="true" /> {path.name}
+          </span>
         ))}
+        <span class="soft" role="status">{waiting.value ? (about ? "Loading this part …" : "Loading the recorded motion …") : ""}</span>
       </div>
       <canvas
         ref={canvas}

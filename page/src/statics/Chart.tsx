@@ -2,6 +2,7 @@
 import { useEffect, useRef } from "preact/hooks";
 import { LEFT, RIGHT, ticks } from "../drawing/camera.ts";
 import { useCanvas } from "../drawing/canvas.ts";
+import { cursor } from "../state/selection.ts";
 import { scaleOf } from "./scale.ts";
 
 export interface Series {
@@ -68,15 +69,29 @@ export function Chart({ title, unit, now, before, marks = false }: ChartProps) {
     };
     if (before) draw(before, "rest", marks ? 2 : 1);
     draw(now, "accent", marks ? 2.5 : 2);
+    const at = cursor.value;
+    if (at === null || at < x0 || at > x1) return;
+    context.strokeStyle = colour("accent");
+    context.lineWidth = 1;
+    context.beginPath();
+    context.moveTo(px(at), TOP);
+    context.lineTo(px(at), height - BOTTOM);
+    context.stroke();
   }, paint);
   useEffect(() => paint.current());
+  const point = (event: PointerEvent) => {
+    const { x } = data.current.now;
+    const width = (event.currentTarget as HTMLElement).clientWidth - LEFT - RIGHT;
+    const share = (event.offsetX - LEFT) / Math.max(width, 1);
+    if (x.length > 1 && share >= 0 && share <= 1) cursor.value = x[0]! + share * (x.at(-1)! - x[0]!);
+  };
   const range = now.y.length ? `${Math.min(...now.y).toPrecision(4)} to ${Math.max(...now.y).toPrecision(4)} ${unit}` : "";
   return (
     <figure class="chart">
       <figcaption>
         {title} ({unit})
       </figcaption>
-      <canvas ref={canvas} role="img" aria-label={`${title}: ${range}`} />
+      <canvas ref={canvas} role="img" aria-label={`${title}: ${range}`} onPointerMove={point} />
     </figure>
   );
 }

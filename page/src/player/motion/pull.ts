@@ -30,6 +30,8 @@ export interface Opened {
   wires: boolean;
   /** The run began again: a static force did not give the mean force. What was sent is void. */
   again?: boolean;
+  /** Which attempt of a search for the static force it is, from 1; `null`: it is the run. */
+  search?: number | null;
   /** End of the whole run, of one that is being computed. */
   estimated_end_s?: number;
 }

@@ -11,7 +11,7 @@ import { standAt } from "../places.ts";
 import { history, scene, state } from "../player.ts";
 import { colourOf } from "./pantographs.ts";
 import { printing } from "./repaint.ts";
-import { columnEnds, highest, stored, type Ends } from "./columns.ts";
+import { columnEnds, stored, type Ends } from "./columns.ts";
 
 const HEIGHT_APART = 26; // px
 const ZOOM = 1.2;
@@ -95,10 +95,10 @@ function curve(on: Axis, ends: Ends, name: string, width: number): void {
 
 function paintForce(sheet: Sheet): void {
   const columns = stored.value;
-  let largest = FORCE_STEP;
+  let largest = Math.max(FORCE_STEP, columns.top);
   const raw = state.current.pantographs.map((_, number) => columns.raw[number] ?? null);
   raw.forEach((column, number) => {
-    const top = column ? highest(column) : (history.force[number]?.ends(...sight.value)?.[1] ?? 0);
+    const top = column ? 0 : (history.force[number]?.ends(...sight.value)?.[1] ?? 0);
     if (top > largest) largest = top;
   });
   const high = Math.ceil(largest / FORCE_STEP) * FORCE_STEP;

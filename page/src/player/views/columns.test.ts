@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { columnEnds, highest } from "./columns.ts";
+import { columnEnds, topOf } from "./columns.ts";
 
 const column = {
   x: Float32Array.of(0, 1, 2, 3),
@@ -10,5 +10,5 @@ const column = {
 it("gives lowest and highest of what is known", () => {
   expect(columnEnds(column)(0, 4)).toEqual([10, 40]);
   expect(columnEnds(column)(1, 2)).toBeNull();
-  expect(highest(column)).toBe(40);
+  expect(topOf([column, null])).toBe(40);
 });

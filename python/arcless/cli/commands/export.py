@@ -37,20 +37,26 @@ def export(
 
     .csv and .parquet have contact channels over time, the filtered contact force among them, with
     units in the header; .mat has droppers and supports as well, and what supports carry over time;
-    .xlsx also assessment and criteria. The table of a study goes to .csv and .xlsx, a row for each
-    variant.
+    .xlsx also assessment and criteria. Recorded motion of the wires stays in result.nc, and a note
+    says so. The table of a study goes to .csv and .xlsx, a row for each variant.
     """
     from arcless.results import open as open_result
     from arcless.results.export.files import check_target
     from arcless.results.kept_runs.places import study_folder
 
     check_target(to)
-    if (folder := study_folder(result)) is None:
-        open_result(result).export(to)
-    else:
+    if (folder := study_folder(result)) is not None:
         from arcless.study import open as open_study
 
         open_study(folder).export(to)
+        console.data(f"wrote {to}")
+        return
+    run = open_result(result)
+    run.export(to)
+    if "motion_up" in run.latest:
+        console.note(
+            "the recorded motion of the wires is not exported: result.nc has it, a NetCDF file"
+        )
     console.data(f"wrote {to}")
 
 

@@ -182,6 +182,8 @@ class MotionPiece:
     attempt
         Counted from 1: a higher number begins the run again, after a static force that did not give
         the mean force asked for.
+    searching
+        True while the static force is searched for: another attempt may follow this one.
     found
         The line at rest, from which displacements are measured.
     layout
@@ -205,6 +207,7 @@ class MotionPiece:
     """
 
     attempt: int
+    searching: bool
     found: "Equilibrium"
     layout: MotionLayout
     time_s: Floats
@@ -341,6 +344,7 @@ def piece_of(
     *,
     masses: Floats,
     attempt: int,
+    searching: bool,
 ) -> MotionPiece:
     """Return a piece of a record as a viewer is handed it; `masses` are their displacements, m."""
     parts = layout.split(raw)
@@ -348,6 +352,7 @@ def piece_of(
     rows = len(raw["motion_time"])
     return MotionPiece(
         attempt=attempt,
+        searching=searching,
         found=found,
         layout=layout,
         time_s=raw["motion_time"],

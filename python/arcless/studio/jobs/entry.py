@@ -40,13 +40,15 @@ class Entry:
         if file is None:
             self.opened.set()
 
-    def begin_motion(self, layout: Any, geometry: Any, every_s: float, end_s: float) -> None:
+    def begin_motion(
+        self, layout: Any, geometry: Any, every_s: float, end_s: float, search: int | None
+    ) -> None:
         """Have motion from now on; what was there before is replaced."""
         if self._file is None:
             return
         before = self.motion
         self.motion = SpooledMotion(
-            self._file, layout, geometry, every_s=every_s, estimated_end_s=end_s
+            self._file, layout, geometry, every_s=every_s, estimated_end_s=end_s, search=search
         )
         if before is not None:
             before.replace(self.motion)

@@ -7,7 +7,13 @@ from arcless.studio.processes.talk import Talk
 
 
 def spooled(
-    talk: Talk, layout: RowLayout, geometry: Geometry, *, every_s: float, end_s: float
+    talk: Talk,
+    layout: RowLayout,
+    geometry: Geometry,
+    *,
+    every_s: float,
+    end_s: float,
+    search: int | None = None,
 ) -> SpoolWriter:
     """Announce a motion, and return what takes its rows; a later one takes its place.
 
@@ -21,6 +27,8 @@ def spooled(
         Interval of the rows in s.
     end_s
         Time in s at which the motion will end.
+    search
+        Which attempt of a search for the static force it is, from 1; None: it is the run.
 
     Raises
     ------
@@ -34,5 +42,5 @@ def spooled(
         if final or talk.has_room():
             talk.say(("edge", rows, row_s, final))
 
-    talk.say(("motion", layout, geometry, every_s, end_s))
+    talk.say(("motion", layout, geometry, every_s, end_s, search))
     return SpoolWriter(talk.spool, layout.type, grown)

@@ -85,6 +85,9 @@ def test_a_run_is_the_same_with_and_without(name: str) -> None:
     assert not [each for each in watched.variables if str(each).startswith("motion")]
     last = [piece for piece in pieces if piece.attempt == pieces[-1].attempt]
     assert len(last) > 3
+    # A mean force is asked for or not; of a search the last attempt is the run.
+    is_searched = scenario(name).pantographs[0].mean_force is not None
+    assert {piece.searching for piece in pieces} == {is_searched}
     for attribute, variable in (
         ("up_m", "motion_up"),
         ("time_s", "motion_time"),

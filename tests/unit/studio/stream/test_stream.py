@@ -148,12 +148,13 @@ def test_motion_is_computed_for_the_page(port: int) -> None:
 
 
 def test_a_run_that_begins_again_is_announced_again(port: int, sources: Sources) -> None:
-    first = sources["run", "again"] = SyntheticMotion(final=False)
+    first = sources["run", "again"] = SyntheticMotion(final=False, search=1)
     with page(port) as one:
-        assert one.play({"run": "again"})["again"] is False
-        first.later = SyntheticMotion(end_s=7.0)
+        about = one.play({"run": "again"})
+        assert (about["again"], about["search"]) == (False, 1)
+        first.later = SyntheticMotion(end_s=7.0, search=2)
         about = one.hear("channels")
-        assert (about["again"], about["end_s"]) == (True, 7.0)
+        assert (about["again"], about["end_s"], about["search"]) == (True, 7.0, 2)
         assert one.want({"run": "again"}, 6.0, 7.0, 0.5)["frames"] == 3
 
 
