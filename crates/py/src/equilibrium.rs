@@ -43,7 +43,7 @@ macro_rules! either {
     };
 }
 
-/// What is known where it is of a variant, else nothing.
+/// Equilibrium that is known, where it is of a variant; else nothing.
 macro_rules! variant {
     ($any:expr, $variant:path) => {
         match $any {
@@ -64,7 +64,8 @@ impl Equilibrium {
     /// `residual_flexibility`, the compliance that cubic elements lack under droppers, supports and
     /// contacts is added there; with `fitted_bends`, points of chains yield as those of their wires
     /// do; with `across_only`, the linear model moves across the track alone, at the tensions of
-    /// rest. With `near`, an equilibrium of the same elements, the design is searched for from there.
+    /// rest. With `near`, an equilibrium of the same elements, the design is searched for from
+    /// there.
     #[new]
     #[pyo3(signature = (*, dimension, positions, slopes, parts, gravity, design, residual_flexibility = false, fitted_bends = false, across_only = false, near = None))]
     fn new(

@@ -17,6 +17,8 @@ function Scenario() {
   const view = project.value;
   const own = view?.models.filter((one) => one.kind === "scenario") ?? [];
   const shipped = view?.library.filter((one) => one.kind === "scenario") ?? [];
+  // Just written: the list has it at its next look.
+  const isNew = scenario.value !== null && ![...own, ...shipped].some(({ path }) => path === scenario.value);
   return (
     <label class="scenario">
       <span>Scenario</span>
@@ -28,6 +30,7 @@ function Scenario() {
         }}
       >
         {scenario.value === null && <option value="">Choose one</option>}
+        {isNew && <option value={scenario.value!}>{nameOf(scenario.value!)}</option>}
         {own.length > 0 && (
           <optgroup label="In this folder">
             {own.map((one) => <option key={one.path} value={one.path}>{one.name}</option>)}
@@ -128,7 +131,7 @@ function Changed() {
   return (
     <div class="variant" role="group" aria-label="Variant">
       <span>
-        Variant of {nameOf(base)}: {all.map(([field, value]) => `${field} ${value}`).join(", ")}
+        Variant of {nameOf(base)}: {all.map(([field, value]) => `${field} ${Array.isArray(value) ? `[${value.join(", ")}]` : String(value)}`).join(", ")}
       </span>
       {naming.value ? (
         <form onSubmit={(event) => void save(event)}>

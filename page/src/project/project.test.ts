@@ -36,7 +36,13 @@ it("finds speed and pantographs among the fields of a form", () => {
     { field: "pantographs.0.model", typed: "a" },
     { field: "pantographs.0.mean_force", typed: "100 N" },
   ];
-  expect(sorted("x", found)).toEqual({ path: "x", speed: "275 km/h", pantographs: ["a", "b"] });
+  expect(sorted("x", found)).toEqual({ path: "x", speed: "275 km/h", line: null, pantographs: ["a", "b"] });
+  // Of a variant: what it sets, else what its base has.
+  const variant = [
+    { field: "set.speed", typed: null, inherited: "275 km/h" },
+    { field: "set.pantographs.0.model", typed: "b", inherited: null },
+  ];
+  expect(sorted("x", variant)).toEqual({ path: "x", speed: "275 km/h", line: null, pantographs: ["b"] });
 });
 
 it("names what differs between runs, and nothing else", () => {

@@ -217,8 +217,8 @@ def find(scenario: Scenario | LineAlone, near: Equilibrium | None = None) -> Equ
         The scenario, or the line alone.
     near
         Equilibrium of a line that differs little, as designed: the search begins there, and ends
-        by the same bounds. Forces are the same but for rounding, some 1e-4 N, in a third of the
-        time. A line of other elements is found as without it.
+        by the same bounds. Forces differ by rounding alone, some 1e-4 N; it takes half of the time
+        or less. A line of other elements is found as without it.
 
     Raises
     ------

@@ -36,7 +36,7 @@ def test_a_pair_is_lifted_like_one_wire_of_twice_everything(dimension: str) -> N
 
 
 def test_places_far_away_change_no_bit() -> None:
-    """What is left out beyond the places that are asked for has no part in them."""
+    """Elements beyond the places that are asked for are left out, and have no part in them."""
     found = rest(plain_data(6))
     x = found.elasticity_positions()
     ends = found.positions[found.mesh.contact_nodes, 0]

@@ -59,9 +59,9 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
     }
 
     /// Finds the same as [`design`](Self::design), sooner where a line like it is known: from the
-    /// shape and lengths of `other`, at its pace, with a tangent that is kept as long as the balance
-    /// becomes better with it. It ends by the same bounds of forces and heights, so that both
-    /// results are the same but for rounding. A line of other elements, or so different that this
+    /// shape and lengths of `other`, at its pace, with a tangent that is kept as long as the
+    /// balance becomes better with it. It ends by the same bounds of forces and heights, so that
+    /// both results differ by rounding alone. A line of other elements, or so different that this
     /// fails, is found as without `other`.
     ///
     /// # Errors

@@ -330,7 +330,7 @@ def motion_bytes(scenario: "Scenario", found: "Equilibrium | None" = None) -> in
         The scenario; where it records no motion, what it would record by `output.motion: true`.
     found
         Its line at rest, where that is known. Otherwise nodes are taken where they are drawn: those
-        of a line as built lie some millimetres beside, which may be a node more or less in a row.
+        of a line as built lie some millimetres away, which may be a node more or less in a row.
 
     Raises
     ------

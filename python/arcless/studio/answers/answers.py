@@ -68,7 +68,7 @@ def _fault(error: Exception) -> str:
     return f"internal fault: {type(error).__name__}: {error}; hint: {hint}"
 
 
-def complaint(error: ArclessError) -> dict[str, Any]:
+def complaint(error: ArclessError | Refused) -> dict[str, Any]:
     """Return an error as the page shows it: its whole sentence, and its parts where it has them."""
     parts = ("what", "where", "got", "expected", "hint", "field")
     found = {name: getattr(error, name, None) for name in parts}

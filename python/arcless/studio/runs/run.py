@@ -1,6 +1,7 @@
 """Functions of worker processes: a run, its report on paper, its explanation."""
 
 from contextlib import ExitStack
+from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
@@ -15,8 +16,9 @@ from arcless.results.kept_runs.reading import read
 from arcless.results.run_folder import files
 from arcless.results.run_folder.run_folder import for_run
 from arcless.studio.at_rest.of_run import geometry_of_run
-from arcless.studio.jobs.talk import Talk
+from arcless.studio.jobs.spooling import spooled
 from arcless.studio.motion.watching import Watching
+from arcless.studio.processes.talk import Talk
 from arcless.studio.runs.order import Order
 
 # A file as it was: when it was changed, how large it is, and which one it is on the disk.
@@ -68,7 +70,7 @@ def _simulate(talk: Talk, scenario: Scenario, to: Path, command: str | None) -> 
     from arcless import simulate
 
     with ExitStack() as stack:
-        watching = Watching(scenario, talk.motion) if talk.shows() else None
+        watching = Watching(scenario, partial(spooled, talk)) if talk.shows() else None
         result = simulate.run(
             scenario,
             to=to if simulate.is_long(scenario) else None,

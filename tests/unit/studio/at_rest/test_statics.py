@@ -210,8 +210,8 @@ def test_a_wrong_model_and_a_process_that_broke_down_are_told_and_the_next_one_i
         worker = Worker()
         try:
             wrong = await worker.ask(asked(text="format: arcless-line/1\nspans: 3\n"))
-            assert worker._process is not None
-            worker._process.kill()
+            assert worker.process is not None
+            worker.process.process.kill()
             broken = await asyncio.gather(worker.ask(asked()), return_exceptions=True)
             return wrong, broken[0], await worker.ask(asked())
         finally:
