@@ -87,12 +87,16 @@ interface Question {
   changes: Changes;
   want: string[];
   draft: boolean;
+  /** Whether a slider moves: the line is searched for from the one before. */
+  moving: boolean;
 }
 
 let count = 0;
 let shownNumber = 0;
-/** How long the last line took, in ms, whose numbers were asked for alone. */
+/** How long the last line took while a slider moved, in ms, where no other was asked for beside it. */
 let took = 0;
+/** What is left of that when the slider rests: a machine that was busy once may be free again. */
+const FORGOTTEN = 0.5;
 let running = 0;
 let waiting: Question | null = null;
 
@@ -118,7 +122,7 @@ function next(): void {
   running++;
   isAsking.value = true;
   const [mine, begun] = [count + 1, performance.now()];
-  const alone = running === 1 && !question.draft && question.want.length > 1;
+  const alone = running === 1 && !question.draft && question.moving;
   put(question)
     .then(
       (answer) => {
@@ -190,14 +194,15 @@ export function followLine(): () => void {
       before = { path, text: content, changes };
       return;
     }
-    const question = { path, text: content, changes, want: numbers ? NUMBERS : ["line"], draft: false };
+    const question = { path, text: content, changes, want: numbers ? NUMBERS : ["line"], draft: false, moving: false };
     const isMoved = changes !== before.changes && numbers;
     before = { path, text: content, changes };
     const quick = { ...question, want: isMoved ? NUMBERS.slice(1) : ["line"] };
     const isQuick = isTyped || isMoved;
-    follow(isQuick ? { ...quick, draft: isTyped || took > SLOW } : question);
+    follow(isQuick ? { ...quick, draft: isTyped || took > SLOW, moving: isMoved } : question);
     timer = setTimeout(() => {
       if (isQuick) follow(question);
+      took *= FORGOTTEN;
       if (numbers) void rested(question);
     }, REST);
   });

@@ -161,11 +161,11 @@ def _tell_size(scenario: "Scenario", *, quiet: bool) -> None:
     if scenario.output.motion is None or quiet:
         return
     from arcless.simulate.checks import faults_of
-    from arcless.simulate.recording.motion import motion_bytes
+    from arcless.simulate.recording.motion import interval_s, motion_bytes
 
     with faults_of(scenario.name):
-        size = motion_bytes(scenario)
-    console.note(f"the motion of the wires is recorded: {size / 1e6:.3g} MB before compression")
+        size, every = motion_bytes(scenario), 1e3 * interval_s(scenario, scenario.output.motion)
+    console.note(f"the motion of the wires is recorded every {every:.3g} ms: {size / 1e6:.3g} MB")
 
 
 def _simulate(

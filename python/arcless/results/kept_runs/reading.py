@@ -25,10 +25,8 @@ from arcless.assess import (
     is_withheld,
     verdict_of,
 )
-from arcless.dataset.metadata import metadata
 from arcless.dataset.netcdf.store import UNREADABLE as DAMAGE
-from arcless.dataset.netcdf.store import open_plain
-from arcless.dataset.plain_dataset import Plain
+from arcless.dataset.netcdf.store import open_plain, read_facts
 from arcless.errors import ArclessError
 from arcless.model.scenario.as_typed import changes_of
 from arcless.results.kept_runs.kept_run import (
@@ -73,8 +71,7 @@ def read(file: Path) -> KeptRun:
     """Return a run in a few words, whatever the file is: one that cannot be read says why."""
     path = file.parent if file.name == RESULT_NAME else file
     try:
-        dataset = open_plain(file)
-        return _described(path, file, dataset, metadata(dataset))
+        return _described(path, file, read_facts(file))
     except ArclessError as error:
         return unreadable(path, _without_place(error))
     except DAMAGE as error:
@@ -91,7 +88,7 @@ def unreadable(path: Path, reason: str) -> KeptRun:
     return KeptRun(path, UNREADABLE, reason, created=created)
 
 
-def _described(path: Path, file: Path, dataset: Plain, facts: Mapping[str, Any]) -> KeptRun:
+def _described(path: Path, file: Path, facts: Mapping[str, Any]) -> KeptRun:
     known: dict[str, Any] = {
         "name": facts["scenario_name"],
         "created": facts["created"],
@@ -105,7 +102,7 @@ def _described(path: Path, file: Path, dataset: Plain, facts: Mapping[str, Any])
         where = f"at {state['position_m']:.2f} m, {facts['simulated_time_s']:g} s"
         return KeptRun(path, STOPPED, where, **known)
     found = _kept_numbers(file, facts)
-    numbers = _numbers(assess(dataset).to_dict()) if found is None else found
+    numbers = _numbers(assess(open_plain(file)).to_dict()) if found is None else found
     return KeptRun(path, **numbers, **known)
 
 

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import arcless
+from arcless.dataset.netcdf import lazy_reader
 from arcless.dataset.schema import ATTRIBUTES
 from arcless.errors import ResultFormatError
 from arcless.model import load
@@ -39,6 +40,18 @@ def saved(folder: Path, amplitude: float = 5.0, **more: Any) -> Result:
 def only(folder: Path) -> KeptRun:
     (found,) = arcless.runs(folder)
     return found
+
+
+def test_no_variable_of_a_run_with_its_assessment_is_opened(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    saved(tmp_path / "one")
+    known = only(tmp_path)
+    monkeypatch.setattr(lazy_reader, "split", None)
+    assert known.verdict == "met"
+    assert only(tmp_path) == known
+    (tmp_path / "one" / "assessment.json").unlink()
+    assert only(tmp_path).verdict == "unreadable"  # it is assessed, and cannot be
 
 
 @pytest.fixture

@@ -213,13 +213,18 @@ def test_a_wire_alone_needs_no_lane() -> None:
     assert lanes[0].count == 100
 
 
-def test_a_long_run_that_is_only_watched_has_fewer_rows(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_long_run_has_fewer_rows(monkeypatch: pytest.MonkeyPatch) -> None:
     planned = scenario("en50318-ac-simple-320-planar")
     found = arcless.statics(planned).equilibrium
     short = motion.layout_of(found, planned)
     monkeypatch.setattr(motion, "LONG", 10)
     assert motion.layout_of(found, planned).every == 2 * short.every
-    # What is recorded is as it was asked for, and the size that is told is of that.
+    # So it is where motion is recorded, and the size that is told is of that.
     asked = planned.with_(**{"output.motion": True})
-    assert motion.layout_of(found, asked).every == short.every
-    assert motion_bytes(planned, found) == motion_bytes(asked, found)
+    assert motion.layout_of(found, asked).every == 2 * short.every
+    assert motion_bytes(planned, found) == motion_bytes(asked, found) == motion_bytes(asked)
+    # An interval that is given wins.
+    given = planned.with_(**{"output.motion": {"interval": "10 ms"}})
+    assert motion.layout_of(found, given).every == short.every
+    # Each row has the same; by one row more, where their number is odd.
+    assert motion_bytes(given) == pytest.approx(2 * motion_bytes(asked), rel=1e-2)
