@@ -26,7 +26,7 @@ for (const [name, track] of store.tracks) {
   for (const [piece] of track.entries) if (name.startsWith("pantograph")) history.addPantograph(number, piece!.values);
 }
 present(
-  { geometry: line, row_s: 1 / 60, wires: true, pantographs: [{ name: "P1", masses: ["1", "2", "3"] }, { name: "P2", masses: ["1", "2", "3"] }] },
+  { geometry: line, row_s: 1 / 60, wires: true, search: null, pantographs: [{ name: "P1", masses: ["1", "2", "3"] }, { name: "P2", masses: ["1", "2", "3"] }] },
   0, SECONDS, false,
 );
 if (asked.has("whole")) range.value = [0, line.spans.at(-1)!.end_m];

@@ -5,7 +5,8 @@ line prints ``str(error)`` and leaves with ``error.exit_code``: 1 when a computa
 the input is wrong.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 from typing import ClassVar, Self
 
 # Separators that messages of our own have: lines of a table, thin spaces in numbers.
@@ -128,7 +129,18 @@ class NotConvergedError(EquilibriumError):
 
 
 class ContactError(ArclessError):
-    """The complementarity problem of a time step could not be solved."""
+    """The complementarity problem of a time step could not be solved.
+
+    Attributes
+    ----------
+    time_s : float or None
+        Time of the run at which it failed, s; None where that is not known.
+    positions_m : mapping of str to float
+        Positions of the pantographs along the track at that time, m, by name.
+    """
+
+    time_s: float | None = None
+    positions_m: Mapping[str, float] = MappingProxyType({})
 
 
 class ControlError(ArclessError):

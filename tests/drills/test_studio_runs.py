@@ -14,7 +14,7 @@ import pytest
 import arcless
 from arcless.model import parse_override
 from tests.drills.conftest import QUICK, SHORT, leftovers
-from tests.support.studio_server import Server
+from tests.support.studio_server import Server, is_there
 
 CHANGES = dict(parse_override(f"{field}={text}") for field, text in QUICK.items())
 # A run of some ten seconds, so that something happens in its midst.
@@ -68,13 +68,6 @@ def workers(server: Server) -> list[int]:
     for thread in Path(f"/proc/{server.process.pid}/task").iterdir():
         found += [int(number) for number in (thread / "children").read_text().split()]
     return sorted(set(found))
-
-
-def is_there(process: int) -> bool:
-    try:
-        return "Z" not in Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()[0]
-    except FileNotFoundError:
-        return False
 
 
 def test_the_server_is_killed_while_a_run_steps(folder: Path, tmp_path: Path) -> None:

@@ -158,6 +158,7 @@ def test_statics_prints_tables_and_json(arcless: Arcless, short: Path, tmp_path:
     assert "Droppers of span" in printed.stdout
     assert "Resonance speeds" in printed.stdout
     assert "wave speed" in printed.stdout
+    assert "Note: speeds above 576 km/h" in printed.stdout
 
 
 def test_statics_draws_the_line(arcless: Arcless, short: Path, tmp_path: Path) -> None:
@@ -317,6 +318,20 @@ def test_statics_and_check_say_the_same_of_a_loose_wire(
     assert (checked.exit_code, found.exit_code) == (2, 2)
     assert "error: loose.yaml: " in found.stderr
     assert checked.stderr.splitlines()[-1] == found.stderr.splitlines()[-1]
+
+
+def test_a_run_of_a_loose_wire_is_wrong_input_and_asks_for_the_unit(
+    arcless: Arcless, tmp_path: Path
+) -> None:
+    planar = "en50318-ac-simple-320-planar"
+    tension = ("--set", "line.contact_wire.tension=25", "--quiet")
+    ran = arcless("run", planar, *tension, "--out", "loose")
+    found = arcless("statics", planar, *tension)
+    assert (ran.exit_code, ran.stdout) == (2, "")
+    assert ran.stderr == found.stderr
+    assert f"error: {planar}: contact wire at " in ran.stderr
+    assert "did you mean 25 kN? a number without a unit is in N" in ran.stderr
+    assert not (tmp_path / "loose").exists()
 
 
 def test_a_search_that_fails_is_no_mistake_of_the_file() -> None:

@@ -49,8 +49,15 @@ def test_the_worked_case_of_the_guide(arcless: Run) -> None:
         ]
         told = [values[0][0], values[0][1], values[1][1]]
         assert [f"{one:.1f}" for one in told] == list(row[1:]), key
-    apart = [found["runs"][1]["alignments"][0]["offset_m"] for found in (whole, bare)]
-    assert f"by {apart[0] - apart[1]:.1f} m" in text
+    lagging = json.loads(
+        arcless("compare", "runs/line", "test-run.csv", "--align-by", "force", "--json").stdout
+    )
+    places = [found["runs"][1]["alignments"][0] for found in (whole, bare, lagging)]
+    assert [one["channel"] for one in places] == ["force", "height", "force"]
+    corrected, heights, forces = (one["offset_m"] for one in places)
+    assert f"by {corrected - forces:.1f} m" in text
+    # A hundredth of the shortest wave, 4.4 m, and as much for the scale of the forces.
+    assert heights == pytest.approx(corrected, abs=0.09)
     assert any("not corrected for the inertia" in one for one in bare["warnings"])
     (code,) = re.findall(r"```python\n(.*?)```", text, re.DOTALL)
     exec(compile(code, str(GUIDE), "exec"), {})
@@ -103,6 +110,7 @@ def test_what_measure_tells_and_refuses(arcless: Run, finished: Path) -> None:
     refused(arcless("measure", finished, "--to", "a.csv", "--pantograph", "P9"), "one of P1")
     refused(arcless("measure", finished, "--to", "a.csv", "--rate", "1 MHz"), "--rate")
     refused(arcless("measure", "none", "--to", "a.csv"), "none")
+    refused(arcless("measure", finished, "--to", "a.xlsx"), "expected a name that ends in .csv")
     assert not Path("a.csv").exists()
 
 

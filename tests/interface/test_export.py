@@ -12,6 +12,8 @@ from typer.testing import Result
 import arcless as package
 from arcless.errors import OutputError
 from arcless.results.export import files, tables
+from tests.support.small import small
+from tests.support.studies import filled
 
 Command = Callable[..., Result]
 # Statistics of the exported columns are sums in another order than those of the assessment.
@@ -32,6 +34,18 @@ def test_csv_holds_the_channels_with_units_and_every_bit(arcless: Command, finis
     for key, unit in (("position", "m"), ("contact_force", "N"), ("contact_height", "m")):
         assert np.array_equal(np.float64(found[f"P1.{key} [{unit}]"]), data[key][:, 0]), key
     assert "P1.mass_2.displacement [m]" in found
+
+
+def test_recorded_motion_is_left_out_with_a_word(
+    arcless: Command, finished: Path, tmp_path: Path
+) -> None:
+    assert "motion" not in arcless("export", finished, "--to", "plain.csv").stderr
+    package.run(small().with_(output={"motion": True})).save(tmp_path / "result.nc")
+    for name in ("run.csv", "run.mat"):
+        done = arcless("export", tmp_path / "result.nc", "--to", name)
+        assert (done.exit_code, done.stdout) == (0, f"wrote {name}\n")
+        assert "motion of the wires is not exported: result.nc has it" in done.stderr
+    assert "motion" not in Path("run.csv").read_text("utf-8").splitlines()[0]
 
 
 def test_the_filtered_force_has_the_statistics_of_the_assessment(
@@ -168,7 +182,7 @@ def test_what_is_no_run_is_refused(arcless: Command, finished: Path) -> None:
     for source, words in (
         ("text.nc", "text.nc"),
         ("absent", "absent"),
-        ("sweep", "study in place of a run"),
+        ("sweep", "sweep/study.json"),
         ("speed-sweep", "this is a shipped study: `arcless study run speed-sweep`"),
     ):
         done = arcless("export", source, "--to", "run.csv")
@@ -202,3 +216,28 @@ def test_a_sheet_takes_no_more_rows_than_excel_has(
     monkeypatch.setattr(files, "MOST_ROWS", 100)
     with pytest.raises(OutputError, match="expected 100 rows at most"):
         package.open(finished).export(tmp_path / "run.xlsx")
+
+
+def test_the_table_of_a_study(arcless: Command, tmp_path: Path) -> None:
+    openpyxl = pytest.importorskip("openpyxl")
+    filled(tmp_path / "here")
+    frame = package.study.open(tmp_path / "here").to_dataframe().reset_index()
+    for source in ("here", "here/journal.db"):
+        assert arcless("export", source, "--to", "table.csv").exit_code == 0
+    assert arcless("export", "here", "--to", "table.xlsx").exit_code == 0
+    found = read(Path("table.csv"))
+    head, *rows = openpyxl.load_workbook("table.xlsx")["variants"].values
+    assert list(found) == list(head) == list(frame.columns)
+    assert len(rows) == len(frame) > 1
+    number = next(name for name in found if name.startswith("sigma"))
+    assert np.array_equal(np.float64(found[number]), frame[number])
+    assert [row[head.index(number)] for row in rows] == list(frame[number])
+
+
+@pytest.mark.parametrize("to", ["table.mat", "table.parquet"])
+def test_a_study_is_a_table_of_texts_and_numbers(arcless: Command, tmp_path: Path, to: str) -> None:
+    filled(tmp_path / "here")
+    done = arcless("export", "here", "--to", to)
+    assert done.exit_code == 2
+    assert "expected a name that ends in .csv, .xlsx; hint: table.parquet" in done.stderr
+    assert not Path(to).exists()

@@ -167,7 +167,7 @@ def test_a_folder_of_a_study_takes_no_run_and_the_reverse(
     for word in ("status", "report", "resume", "trials"):
         refused(arcless("study", word, "kept"), "kept: run in place of a study", "arcless report")
         refused(arcless("study", word, "kept/result.nc"), "run in place of a study")
-    for words in (("report",), ("assess",), ("resume",), ("export", "--to", "x.csv")):
+    for words in (("report",), ("assess",), ("resume",), ("explain",)):
         done = arcless(*words, "study")
         refused(done, "study: study in place of a run", "arcless study report study")
 

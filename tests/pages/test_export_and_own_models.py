@@ -57,7 +57,9 @@ def test_export() -> None:
     pytest.importorskip("openpyxl")
     pytest.importorskip("pyarrow")
     for file, language, text in blocks("export.md"):
-        if language == "sh":
+        if language == "yaml":
+            Path(file).write_text(text, "utf-8")
+        elif language == "sh":
             run(text)
         elif language == "text":
             assert Path(file or "run.csv").read_text("utf-8").startswith(text.rstrip("\n"))

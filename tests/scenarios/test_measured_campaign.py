@@ -14,7 +14,7 @@ import pytest
 
 import arcless
 from arcless.assess.signals.filter import low_pass
-from arcless.comparison import Comparison, compare
+from arcless.comparison import Aligning, Comparison, compare
 from arcless.measurements import Head, read
 from arcless.results import Instrument, Result
 from arcless.results.instrument.head import head_acceleration, mass_of
@@ -99,6 +99,33 @@ def test_position_is_found_but_for_the_delay_of_the_amplifier(run: Result, tmp_p
         # steps of the scale an end within another one.
         assert by.on_line(np.array([shown]))[0] == pytest.approx(true - delay_m, abs=0.09)
     assert not by.ambiguous
+
+
+@pytest.mark.parametrize("low_pass_Hz", [125.0, 400.0])
+def test_a_run_lies_on_itself_without_the_mass_above_the_sensors(
+    run: Result, tmp_path: Path, low_pass_Hz: float
+) -> None:
+    """Sensor forces that miss the inertia lag by metres; heights do not."""
+    sensors = {"rate_Hz": 500.0, "low_pass_Hz": low_pass_Hz}
+    found = measured(run, tmp_path, corrected=False, **sensors)
+    placed = found.sides[1].placed
+    assert placed is not None
+    (by,) = placed.alignments
+    speed = found.sides[0].assessment.speed_m_s
+    # Where a value is written down, the train is further by what the amplifier delays.
+    delay_m = run.as_measured(Instrument(**sensors)).delay_s * speed
+    spacing_m = speed / 500.0
+    first = float(run.latest["position"].values[0, 0])
+    for place in (first, 550.0, 1000.0):
+        # Nothing is between two samples but a straight line: their distance is the resolution.
+        assert by.on_line(np.array([place]))[0] == pytest.approx(place - delay_m, abs=spacing_m)
+    assert by.channel == "height"
+    assert not by.ambiguous
+    by_force = compare([run, tmp_path / "campaign.csv"], aligning=Aligning(channel="force"))
+    (wrong,) = by_force.sides[1].placed.alignments  # type: ignore[union-attr]
+    assert wrong.on_line(np.array([550.0]))[0] < 550.0 - 2.0
+    assert any("misses the inertia" in text for text in by_force.warnings)
+    assert not any("misses the inertia" in text for text in found.warnings)
 
 
 @pytest.mark.parametrize("seed", range(3))

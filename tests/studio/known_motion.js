@@ -25,7 +25,7 @@
   const names = ["wire.0.up", "droppers", "supports", "pantograph.0"];
   const values = ["position", "contact force", "height", "uplift", "mass 1", "mass 2"].map((name) => ({ name, unit: "m" }));
   const up = (at, place) => 0.05 * Math.exp(-(((at - place) / 12) ** 2));
-  const known = (window.known = { sockets: [], wants: [], opened: 0 });
+  const known = (window.known = { sockets: [], wants: [], opened: 0, beside: Infinity });
 
   // What rooms of the server would answer of such a run.
   const answers = {
@@ -48,6 +48,7 @@
         this.readyState = 1;
         this.onopen?.();
       });
+      setInterval(() => this.readyState === 1 && this.say({ topic: "beat" }), 2000);
     }
     close() {
       this.readyState = 3;
@@ -86,7 +87,9 @@
         this.piece(this.base, 0, time, x.map((at) => up(at, place)));
         this.piece(this.base + 1, 0, time, droppers.map(({ x_m }) => Math.max(0, 80 - 2000 * up(x_m, place))));
         this.piece(this.base + 2, 0, time, supports.map(({ x_m }) => up(x_m, place)));
-        this.piece(this.base + 3, 0, time, [place, 150 + 50 * Math.sin(9 * time), 5.35, 0.05, 0.04, 0.05]);
+        // Beside the wire, from `known.beside` on, only the position is known.
+        const all = [150 + 50 * Math.sin(9 * time), 5.35, 0.05, 0.04, 0.05];
+        this.piece(this.base + 3, 0, time, [place, ...(time >= known.beside ? all.map(() => NaN) : all)]);
       }
       this.say({ topic: "sent", source, ask, from_s: from, to_s: to, frames: 1, dropped: 0 });
     }

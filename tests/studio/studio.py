@@ -6,11 +6,13 @@ import os
 import signal
 import subprocess
 import sys
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, Self
 
 from tests.browser.browser import Browser, Tab, window
+from tests.support import processes
 
 # Time in ms for what a test waits for. Shorter, a busy machine fails tests that are right; longer,
 # those that are wrong take the longer to say so.
@@ -33,8 +35,12 @@ class Studio:
         The address that it printed, with its token.
     """
 
-    def __init__(self, browser: Browser, folder: Path, port: int = 0) -> None:
+    def __init__(
+        self, browser: Browser, folder: Path, port: int = 0, page: Path | None = None
+    ) -> None:
         self._browser, self.folder = browser, folder
+        own = ["arcless"] if page is None else ["tests.support.studio_server", str(page)]
+        self._program = [sys.executable, "-m", *own]
         self._tabs: list[Window] = []
         self.start(port)
 
@@ -42,7 +48,7 @@ class Studio:
         """Start the server."""
         words = ["studio", str(self.folder), "--no-browser", "--port", str(port)]
         self._process = subprocess.Popen(
-            [sys.executable, "-m", "arcless", *words],
+            [*self._program, *words],
             stdout=subprocess.PIPE,
             text=True,
             env={**os.environ, "PYTHONUNBUFFERED": "1"},
@@ -66,6 +72,25 @@ class Studio:
         self._process.send_signal(number)
         if number is signal.SIGKILL:
             self._process.wait()
+
+    @property
+    def workers(self) -> list[int]:
+        """Numbers of the processes that the server has started."""
+        return processes.below(self._process.pid)
+
+    @contextmanager
+    def stopped(self, *, with_all: bool) -> Iterator[None]:
+        """Have the server stopped for a time; `with_all`: with its workers and the browser."""
+        all_ = [self._process.pid]
+        if with_all:
+            all_ += [*self.workers, *self._browser.processes]
+        for process in all_:
+            os.kill(process, signal.SIGSTOP)
+        try:
+            yield
+        finally:
+            for process in all_:
+                os.kill(process, signal.SIGCONT)
 
     def open(
         self,

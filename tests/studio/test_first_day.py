@@ -1,11 +1,13 @@
 """A first day in the studio: example, run, watch, change, compare, and a server that dies."""
 
+import json
 import signal
 from collections.abc import Callable
 from pathlib import Path
 
 import yaml
 
+from arcless import study
 from tests.browser.kinds import arcless
 from tests.studio.studio import DESK, PHONE, Studio, Window
 
@@ -14,6 +16,16 @@ Start = Callable[[Path], Studio]
 RUN = 60_000
 SHIPPED = "en50318-ac-simple-320-planar"
 COPY = f"my-{SHIPPED}"
+# Short, so that a variant takes a tenth of a second, and long enough to be explained.
+SHORT = """format: arcless-scenario/1
+name: short
+base: en50318-ac-simple-275-planar
+set:
+  line.spans: [{type: standard, count: 8}]
+  travel: {start: 60 m, end: 380 m}
+  analysis: {from: 100 m, to: 340 m}
+  pantographs.0.static_force: 130 N
+"""
 
 
 def ran(page: Window, count: int = 1) -> None:
@@ -88,6 +100,81 @@ def test_a_variant_is_compared_and_kept(studio: Start, tmp_path: Path) -> None:
     kept = yaml.safe_load((tmp_path / "faster.yaml").read_text("utf-8"))
     assert kept["base"] == "line.yaml"
     assert kept["set"] == {"speed": "300 km/h"}
+
+
+def test_a_slider_becomes_a_variant_and_a_schedule_of_droppers(
+    studio: Start, tmp_path: Path
+) -> None:
+    arcless("new", "line", "--from", SHIPPED, "--to", tmp_path)
+    page = studio(tmp_path).open()
+    page.click(".run-bar button.run")
+    ran(page)
+    page.click("role=tab[name=Statics]")
+    page.click("text=Open the line")
+    page.wait(".slider")
+    page.type("24", into='[aria-label="Contact wire: Tension, number"]')
+    page.press("Tab")
+    page.js(
+        "(() => { const make = URL.createObjectURL; URL.createObjectURL = (blob) => {"
+        " void blob.text().then((text) => { window.saved = text; }); return make(blob); }; })()"
+    )
+    page.click("text=Dropper schedule as CSV")
+    page.until("window.saved !== undefined")
+    tried, file, out = tmp_path / "tried", tmp_path / "line-line.yaml", tmp_path / "d.csv"
+    before = file.read_text("utf-8")
+    tried.mkdir()
+    (tried / file.name).write_text(before.replace("22 kN", "24 kN", 1), "utf-8")
+    arcless("statics", tried / file.name, "--droppers", out)
+    assert page.js("window.saved").splitlines() == out.read_text("utf-8").splitlines()
+    page.click('.statics >> role=button[name="Run as variant"]')
+    ran(page, 2)
+    # Both are ticked, and only the difference is in a name; no file was changed.
+    assert "24 kN" in page.text(".run-entry >> nth=0")
+    assert page.count(".run-entry input:checked") == 2
+    assert file.read_text("utf-8") == before
+    page.click("role=tab[name=Compare]")
+    page.wait("main table")
+    assert "line.contact_wire.tension" in page.text("main [role=tabpanel]")
+
+
+def test_a_study_finds_a_better_variant_which_is_run(studio: Start, tmp_path: Path) -> None:
+    (tmp_path / "short.yaml").write_text(SHORT)
+    page = studio(tmp_path).open()
+    page.click('nav >> text="short" >> nth=0')
+    page.click('role=tab[name="Studies"]')
+    for words, field, low, high in (
+        ("static force", "pantographs.0.static_force", "100", "160"),
+        ("contact tension", "line.contact_wire.tension", "20", "26"),
+    ):
+        page.type(words, into=".fields input[type=search]")
+        page.click(f".fields label[title^='{field}.'] input")
+        own = f".varied:has(code:text-is('{field}'))"
+        page.type(low, into=f"{own} input >> nth=1")
+        page.type(high, into=f"{own} input >> nth=2")
+    page.wait("text=25 variants")
+    page.click('role=button[name="Save and start"]')
+    # Rows come in, and are seen in parallel coordinates.
+    page.until("document.querySelectorAll('.rows tbody tr').length > 0")
+    page.wait(".parallel canvas")
+    page.until(
+        "document.querySelector('.state [role=status]')?.innerText.startsWith('25 of 25')", RUN
+    )
+    page.click('.rows thead >> text="Standard deviation σ"')
+    page.click(".rows tbody tr:nth-child(1)")
+    number = int(page.text(".picked strong").removeprefix("Variant "))
+    rows = {row.variant: row for row in study.open(tmp_path / "runs/studies/short-study").rows()}
+    assert number == min(rows, key=lambda one: rows[one].outputs["std_force_N"])
+    # As a scenario, which holds only the difference, and which is run.
+    page.click('role=button[name="Open as scenario"]')
+    page.wait(f".run-bar select >> text=short-study-{number}", "attached")
+    page.click(".run-bar button.run")
+    ran(page)
+    kept = yaml.safe_load((tmp_path / f"short-study-{number}.yaml").read_text("utf-8"))
+    assert kept["base"] == "short.yaml"
+    assert {*kept["set"]} == {"pantographs.0.static_force", "line.contact_wire.tension"}
+    (result,) = (tmp_path / "runs").glob(f"short-study-{number}*/assessment.json")
+    told = json.loads(result.read_text("utf-8"))["pantographs"][0]
+    assert told["std_force_N"] == rows[number].outputs["std_force_N"]
 
 
 def test_two_tabs_and_a_file_changed_outside(studio: Start, tmp_path: Path) -> None:

@@ -39,8 +39,8 @@ def until(page: Window, expression: str) -> None:
     )
 
 
-def opened(studio: Start, folder: Path, size: Any = DESK) -> Window:
-    found = studio(folder).open(size, before=KNOWN.read_text("utf-8"))
+def opened(studio: Start, folder: Path, size: Any = DESK, more: str = "") -> Window:
+    found = studio(folder).open(size, before=KNOWN.read_text("utf-8") + more)
     found.click(".run-entry button.name")
     found.wait(".transport")
     until(found, f"document.querySelector('{READOUT}').textContent.includes('100.0 m')")
@@ -88,6 +88,21 @@ def test_a_lost_stream_is_opened_again(page: Window) -> None:
     page.js("document.activeElement.blur()")
     page.click(".transport button[aria-label=Play]")
     until(page, f"{TIME} > 3")
+
+
+@pytest.mark.parametrize("tab", ["Line", "3-D"])
+def test_what_is_not_known_of_a_pantograph_is_no_number(
+    studio: Start, folder: Path, tab: str
+) -> None:
+    page = opened(studio, folder, more="known.beside = 1;")
+    page.click(f'role=tab[name="{tab}"]')
+    page.js("document.activeElement.blur()")
+    page.press("Space")
+    until(page, f"{TIME} > 1.2")
+    page.press("Space")
+    # Text, names and values of the page; what is drawn is as finite: a canvas takes no NaN.
+    assert "NaN" not in page.js("document.documentElement.outerHTML + document.body.innerText")
+    assert page.close(allowed="ReadPixels") == []
 
 
 def test_in_space(page: Window) -> None:

@@ -78,10 +78,10 @@ def ink(page: Window, title: str) -> int:
 def test_nothing_is_ticked(studio: Callable[[Path], Studio], tmp_path: Path) -> None:
     page = studio(tmp_path).open()
     for title, said in (
-        ("Results", "No run is chosen"),
+        ("Results", "There is no run yet"),
         ("Compare", "Nothing is ticked"),
-        ("Why σ", "No run is chosen"),
-        ("Space–time", "No run is chosen"),
+        ("Why σ", "There is no run yet"),
+        ("Space–time", "There is no run yet"),
     ):
         show(page, title)
         page.wait(f"text={said}")

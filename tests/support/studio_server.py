@@ -110,6 +110,14 @@ class Answer:
         return json.loads(self.body)
 
 
+def is_there(process: int) -> bool:
+    """Return whether a process has not ended."""
+    try:
+        return "Z" not in Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()[0]
+    except FileNotFoundError:
+        return False
+
+
 def main() -> None:
     """Run the command line with the page of a folder."""
     from arcless.cli import main as command

@@ -1,16 +1,20 @@
 """Tasks for worker processes of the studio: what may happen to a job, made to happen."""
 
+import itertools
 import os
 import signal
+import threading
 import time
+from collections import deque
 from pathlib import Path
 
 import numpy as np
 
 from arcless.errors import ModelError
-from arcless.studio.jobs.talk import Talk
+from arcless.studio.jobs.spooling import spooled
 from arcless.studio.motion.layout import RowLayout, WirePart
 from arcless.studio.motion.spool import SpoolWriter
+from arcless.studio.processes.talk import Talk
 
 # Beyond what any test waits for.
 LONG_S = 60.0
@@ -29,7 +33,6 @@ def tell(talk: Talk, times: int) -> None:
     for number in range(times):
         talk.progress(number / times, f"step {number}")
     talk.note("A warning.")
-    talk.say({"rows": times})
 
 
 def refuse(_talk: Talk) -> None:
@@ -59,6 +62,47 @@ def wait(talk: Talk) -> None:
     if not talk.cancelled.wait(LONG_S):
         raise AssertionError("nobody cancelled it")
     raise KeyboardInterrupt
+
+
+def deaf(talk: Talk) -> None:
+    """Do something that nobody can interrupt."""
+    talk.say("begun")
+    time.sleep(LONG_S)
+
+
+def chatter(talk: Talk) -> None:
+    """Speak from another thread, as the one that writes motion does."""
+    threading.Thread(target=lambda: deque(map(talk.say, itertools.count()), 0), daemon=True).start()
+    time.sleep(LONG_S)
+
+
+def echo(talk: Talk) -> int:
+    """Say each order again until there is an end; return how many there were."""
+    count = 0
+    while (order := talk.order(LONG_S)) != "end":
+        talk.say(order)
+        count += 1
+    return count
+
+
+def speak(talk: Talk, times: int, size: int) -> tuple[float, float]:
+    """Say much; return when it began and when all was said, in s."""
+    begun = time.monotonic()
+    for _ in range(times):
+        talk.say(bytes(size))
+    return begun, time.monotonic()
+
+
+def missing(_talk: Talk) -> None:
+    Path("/missing").read_text()
+
+
+def leave(_talk: Talk, code: int) -> None:
+    os._exit(code)
+
+
+def hold_memory(_talk: Talk, size: int) -> int:
+    return len(bytearray(b"x") * size)
 
 
 def hold(talk: Talk, folder: Path) -> None:
@@ -100,7 +144,7 @@ def rows_of(first: int, count: int) -> np.ndarray:
 
 
 def spool_of(talk: Talk, end_s: float) -> SpoolWriter:
-    return talk.motion(LAYOUT, GEOMETRY, every_s=EVERY_S, end_s=end_s)
+    return spooled(talk, LAYOUT, GEOMETRY, every_s=EVERY_S, end_s=end_s)
 
 
 def move(talk: Talk, count: int, begin_again: bool) -> None:

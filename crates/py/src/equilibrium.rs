@@ -43,6 +43,16 @@ macro_rules! either {
     };
 }
 
+/// Equilibrium that is known, where it is of a variant; else nothing.
+macro_rules! variant {
+    ($any:expr, $variant:path) => {
+        match $any {
+            Some($variant(known)) => Some(known),
+            _ => None,
+        }
+    };
+}
+
 /// Static equilibrium of a structure.
 #[pyclass(frozen)]
 pub struct Equilibrium(Any);
@@ -54,9 +64,10 @@ impl Equilibrium {
     /// `residual_flexibility`, the compliance that cubic elements lack under droppers, supports and
     /// contacts is added there; with `fitted_bends`, points of chains yield as those of their wires
     /// do; with `across_only`, the linear model moves across the track alone, at the tensions of
-    /// rest.
+    /// rest. With `near`, an equilibrium of the same elements, the design is searched for from
+    /// there.
     #[new]
-    #[pyo3(signature = (*, dimension, positions, slopes, parts, gravity, design, residual_flexibility = false, fitted_bends = false, across_only = false))]
+    #[pyo3(signature = (*, dimension, positions, slopes, parts, gravity, design, residual_flexibility = false, fitted_bends = false, across_only = false, near = None))]
     fn new(
         py: Python<'_>,
         dimension: usize,
@@ -68,17 +79,23 @@ impl Equilibrium {
         residual_flexibility: bool,
         fitted_bends: bool,
         across_only: bool,
+        near: Option<Py<Self>>,
     ) -> PyResult<Self> {
         let how = (design, residual_flexibility);
+        let near = near.as_ref().map(|known| &known.get().0);
         let mut s = structure::build(dimension, &positions, &slopes, parts, gravity)?;
         s.fitted_bends = fitted_bends;
         s.across_only = across_only;
         let is_chain = s.wires.is_empty() && !s.segments.is_empty();
         let found = py.detach(|| match (dimension, is_chain) {
-            (2, false) => Solved::new(s, how).map(Any::Planar),
-            (_, false) => Solved::new(s, how).map(Any::Spatial),
-            (2, true) => Solved::new(s, how).map(Any::PlanarChain),
-            (_, true) => Solved::new(s, how).map(Any::SpatialChain),
+            (2, false) => Solved::new(s, how, variant!(near, Any::Planar)).map(Any::Planar),
+            (_, false) => Solved::new(s, how, variant!(near, Any::Spatial)).map(Any::Spatial),
+            (2, true) => {
+                Solved::new(s, how, variant!(near, Any::PlanarChain)).map(Any::PlanarChain)
+            }
+            (_, true) => {
+                Solved::new(s, how, variant!(near, Any::SpatialChain)).map(Any::SpatialChain)
+            }
         });
         found.map(Self).map_err(|e| convert(py, &e))
     }
@@ -219,15 +236,16 @@ impl<const DIM: usize, const D: usize> Solved<DIM, D> {
     fn new(
         s: arcless_core::structure::Structure,
         (design, residual_flexibility): (bool, bool),
+        near: Option<&Self>,
     ) -> Result<Self, CoreError> {
         let mut geometry = Geometry::<DIM, D>::new(s)?;
         if residual_flexibility || geometry.structure.fitted_bends {
             geometry.add_residual_flexibility();
         }
-        let start = if design {
-            geometry.design()?
-        } else {
-            geometry.initial_shape()
+        let start = match near {
+            Some(known) if design => geometry.design_near(&known.geometry, &known.shape)?,
+            None if design => geometry.design()?,
+            _ => geometry.initial_shape(),
         };
         // The service equilibrium decides, also after a design: the lengths must reproduce it.
         let shape = geometry.find_equilibrium(&start)?;
@@ -244,14 +262,24 @@ impl<const DIM: usize, const D: usize> Solved<DIM, D> {
     }
 
     fn lanes(&self, lanes: &[Vec<usize>]) -> Result<Vec<Slideline<DIM>>, CoreError> {
+        self.lanes_between(lanes, (f64::NEG_INFINITY, f64::INFINITY))
+    }
+
+    /// Lanes to be asked for points between two coordinates along the track, m: the residual
+    /// flexibility of all elements takes longer than the elasticity of a span.
+    fn lanes_between(
+        &self,
+        lanes: &[Vec<usize>],
+        stretch: (f64, f64),
+    ) -> Result<Vec<Slideline<DIM>>, CoreError> {
         let (geometry, shape) = (&self.geometry, &self.shape);
         let paths = Slideline::from_elements(geometry, shape, lanes)?;
         if geometry.structure.fitted_bends {
             return Ok(Slideline::smoothed(paths, geometry, shape));
         }
         if geometry.structure.residual.is_some() {
-            return Ok(Slideline::with_residual_flexibility(
-                paths, geometry, shape, lanes,
+            return Ok(Slideline::with_residual_flexibility_between(
+                paths, geometry, shape, lanes, stretch,
             ));
         }
         Ok(paths)
@@ -263,7 +291,9 @@ impl<const DIM: usize, const D: usize> Solved<DIM, D> {
         x: &[f64],
         force: f64,
     ) -> Result<Vec<f64>, CoreError> {
-        let (line, lanes) = (self.line(), self.lanes(lanes)?);
+        let beyond = (f64::INFINITY, f64::NEG_INFINITY);
+        let stretch = x.iter().fold(beyond, |(a, b), &x| (a.min(x), b.max(x)));
+        let (line, lanes) = (self.line(), self.lanes_between(lanes, stretch)?);
         StaticSolver::new(&line)?.elasticity(&lanes, x, force)
     }
 

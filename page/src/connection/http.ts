@@ -12,6 +12,9 @@ export interface Complaint {
   /** Counted from 1. */
   line?: number;
   column?: number;
+  /** Of a step that failed: when, in s, and where the pantographs were along the track, in m, by name. */
+  time_s?: number;
+  positions_m?: Record<string, number>;
 }
 
 export class RefusedError extends Error {

@@ -20,8 +20,16 @@ export interface Frame {
 export const HEADER = 16; // bytes
 const FIRST_WAIT = 250; // ms
 const LONGEST_WAIT = 5000; // ms
+/**
+ * The server says something every 2 s (`BEAT_S` of `studio/stream/hub.py`). After so many looks, in
+ * ms from one to the next, without a word it does not answer. Looks are counted, not the time: a page
+ * that was stopped with its server has not waited. With fewer a server that is busy for a moment is
+ * said to be gone; with more the page is silent with it.
+ */
+const LOOK_EVERY = 1000;
+const SILENT_LOOKS = 5;
 
-/** "open", "lost" (it is being tried again), "new" before the first time. */
+/** "open", "lost" (closed, or nothing comes; it is being tried again), "new" before the first time. */
 export const connection = signal<"new" | "open" | "lost">("new");
 
 const listeners = new Map<string, Set<(message: Message) => void>>();
@@ -29,6 +37,7 @@ const channels = new Map<number, (frame: Frame) => void>();
 const openers = new Set<() => void>();
 let socket: WebSocket | undefined;
 let wait = FIRST_WAIT;
+let silent = 0;
 
 /** Hear all messages of a topic; the returned function ends it. */
 export function hear(topic: string, listener: (message: Message) => void): () => void {
@@ -66,6 +75,8 @@ export function parse(data: ArrayBuffer): Frame {
 }
 
 function received(event: MessageEvent<string | ArrayBuffer>): void {
+  silent = 0;
+  if (connection.peek() !== "open") opened(); // it was stopped, and goes on
   if (typeof event.data !== "string") {
     const frame = parse(event.data);
     channels.get(frame.channel)?.(frame);
@@ -75,20 +86,33 @@ function received(event: MessageEvent<string | ArrayBuffer>): void {
   for (const listener of [...(listeners.get(message.topic) ?? [])]) listener(message);
 }
 
-export function connect(): void {
+function opened(): void {
+  wait = FIRST_WAIT;
+  silent = 0;
+  connection.value = "open";
+  for (const act of [...openers]) act();
+}
+
+function look(): void {
+  if (connection.peek() === "open" && ++silent > SILENT_LOOKS) connection.value = "lost";
+}
+
+function dial(): void {
   const at = new URL("api/stream", document.baseURI);
   at.protocol = at.protocol === "https:" ? "wss:" : "ws:";
   socket = new WebSocket(at);
   socket.binaryType = "arraybuffer";
   socket.onmessage = received;
-  socket.onopen = () => {
-    wait = FIRST_WAIT;
-    connection.value = "open";
-    for (const act of [...openers]) act();
-  };
+  socket.onopen = opened;
   socket.onclose = () => {
     connection.value = "lost";
-    setTimeout(connect, wait);
+    setTimeout(dial, wait);
     wait = Math.min(2 * wait, LONGEST_WAIT);
   };
+}
+
+/** Open the socket, and again whenever it is lost. */
+export function connect(): void {
+  dial();
+  setInterval(look, LOOK_EVERY);
 }

@@ -2,7 +2,10 @@
 import { exaggeration, selected } from "../state/selection.ts";
 import { EXAGGERATIONS } from "./camera.ts";
 import "./drawing.css";
+import { Failed } from "./Failed.tsx";
 import { fit } from "./fit.ts";
+import type { Geometry } from "./geometry.ts";
+import { indexOf } from "./lineIndex.ts";
 import { LineView } from "./LineView.tsx";
 import { edited, isDraft, isPlayed, isTried, played, showing, shown, wrong } from "./scene.ts";
 
@@ -39,10 +42,12 @@ export function Drawing() {
               ))}
           </select>
         </label>
+        {geometry && <Twins geometry={geometry} />}
         {isDraft.value && !isPlayed.value && <span class="draft">coarse elements while it changes</span>}
         {isTried.value && !isPlayed.value && <span class="draft">with values that are tried, not in the file</span>}
       </div>
       {wrong.value && !isPlayed.value && <Wrong />}
+      <Failed />
       {geometry ? (
         <>
           <LineView view="side" />
@@ -52,6 +57,22 @@ export function Drawing() {
         <p class="empty">{wrong.value ? "There is no line to draw yet." : "Choose a line or a scenario to draw its line."}</p>
       )}
     </div>
+  );
+}
+
+/** Which wires are the second ones of twins, and how these are drawn. */
+function Twins({ geometry }: { geometry: Geometry }) {
+  const second = indexOf(geometry).wires.filter((wire) => wire.isSecond);
+  if (!second.length) return null;
+  return (
+    <span class="twins">
+      {second.map(({ name, kind }) => (
+        <span key={name}>
+          <i class={kind} aria-hidden="true" /> {name}
+        </span>
+      ))}{" "}
+      drawn hollow, from the side mostly behind the first{geometry.spatial ? ": the plan shows both" : ""}
+    </span>
   );
 }
 

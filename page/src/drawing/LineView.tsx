@@ -10,9 +10,10 @@ import { useCanvas } from "./canvas.ts";
 import { dragOf, type Drag } from "./drag.ts";
 import { look, size } from "./fit.ts";
 import { indexOf } from "./lineIndex.ts";
-import { paintLine, type View } from "./linePainter.ts";
+import { paintLine } from "./linePainter.ts";
 import { pick, type Picked } from "./pick.ts";
 import { ghost, handles, isDraft, isPlayed, layers, marked, moved, redraw, shown, sight, whole, wrong } from "./scene.ts";
+import type { View } from "./wirePath.ts";
 import { drawingInWords, pickedInWords, placeInWords } from "./words.ts";
 
 // Of one notch of a wheel, and of one key.

@@ -94,10 +94,15 @@ export function kept([start, end]: [number, number], whole: [number, number]): [
 
 const STEPS = [1, 2, 5];
 
+/** A plain step that is not smaller than a length. */
+export function plainStep(least: number): number {
+  const power = 10 ** Math.floor(Math.log10(least));
+  return [...STEPS.map((one) => one * power), 10 * power].find((one) => one >= least) ?? least;
+}
+
 /** Plain positions of marks between two values, so that they are at least `least` apart. */
 export function ticks(start: number, end: number, least: number): number[] {
-  const power = 10 ** Math.floor(Math.log10(least));
-  const step = [...STEPS.map((one) => one * power), 10 * power].find((one) => one >= least) ?? least;
+  const step = plainStep(least);
   const found: number[] = [];
   for (let n = Math.ceil(start / step - 1e-9); n * step <= end + 1e-9 * step; n++) {
     found.push(Number((n * step).toPrecision(12)));

@@ -2,7 +2,7 @@
 import { effect } from "@preact/signals";
 import type { RefObject } from "preact";
 import { useEffect } from "preact/hooks";
-import { onRedraw, redraw } from "./scene.ts";
+import { drawing, redraw } from "./scene.ts";
 
 /** Colours by the names of tokens, as they are now: light or dark. */
 export function colours(element: Element): (name: string) => string {
@@ -52,12 +52,15 @@ export function useCanvas(
     scheme.observe(document.documentElement, { attributeFilter: ["data-scheme"] });
     const dark = matchMedia("(prefers-color-scheme: dark)");
     dark.addEventListener("change", redraw);
-    const ends = [onRedraw(draw), effect(() => (draw(), undefined))];
+    const end = effect(() => {
+      void drawing.value;
+      draw();
+    });
     return () => {
       sized.disconnect();
       scheme.disconnect();
       dark.removeEventListener("change", redraw);
-      for (const end of ends) end();
+      end();
     };
   }, []);
 }

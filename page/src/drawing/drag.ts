@@ -5,7 +5,7 @@ import { text } from "../editor/documents.ts";
 import { patch } from "../editor/patch.ts";
 import type { Camera } from "./camera.ts";
 import type { Geometry, Handle, Handles } from "./geometry.ts";
-import type { View } from "./linePainter.ts";
+import type { View } from "./wirePath.ts";
 import type { Picked } from "./pick.ts";
 import type { Pencil } from "./scene.ts";
 

@@ -2,8 +2,9 @@ import { describe, expect, it } from "vitest";
 import { camera, fitted, kept, LEFT, nextExaggeration, RIGHT, ticks, zoomed } from "./camera.ts";
 import type { Geometry } from "./geometry.ts";
 import { below, between, contactAt, indexOf, valueAt } from "./lineIndex.ts";
-import { droppersSeen, forceOf, shift, traceWire } from "./linePainter.ts";
+import { droppersSeen, forceOf } from "./linePainter.ts";
 import { pick } from "./pick.ts";
+import { shift, traceWire } from "./wirePath.ts";
 import { drawingInWords, pickedInWords, placeInWords } from "./words.ts";
 
 /** Two spans of 50 m: a contact wire at 5.3 m, a messenger wire 1.2 m above, droppers every 10 m. */
@@ -89,6 +90,30 @@ describe("index", () => {
   });
 });
 
+describe("twins", () => {
+  /** Contact wires over ranges of positions in m. */
+  const seconds = (...ranges: [number, number][]) => {
+    const wires = ranges.map(([start, end], n) => ({
+      name: `contact wire ${n + 1}`, kind: "contact" as const, first: 0, x: [start, end], y: [0.1 * n, 0.1 * n], z: [5.3, 5.3],
+    }));
+    return indexOf({ ...line(), wires }).wires.map((wire) => wire.isSecond);
+  };
+  it("run side by side all along; in an overlap one wire ends where the next one goes on", () => {
+    expect(seconds([0, 1000], [0, 1000])).toEqual([false, true]);
+    expect(seconds([0, 1000], [900, 1900], [1800, 2800])).toEqual([false, false, false]);
+    // Two tension lengths of twins.
+    expect(seconds([0, 1000], [0, 1000], [900, 1900], [900, 1900])).toEqual([false, true, false, true]);
+  });
+  it("are told by name, each with its height", () => {
+    const geometry = line();
+    const [contact] = geometry.wires;
+    geometry.wires = [{ ...contact!, name: "contact wire 1" }, { ...contact!, name: "contact wire 2", y: contact!.y.map(() => 0.14) }];
+    expect(placeInWords(geometry, indexOf(geometry), 60)).toBe(
+      "span 2 · 60.00 m · contact wire 1 5.300 m · lateral 0.100 m · contact wire 2 5.300 m · lateral 0.140 m",
+    );
+  });
+});
+
 describe("level of detail", () => {
   const count = (nodes: number) => {
     let points = 0;
@@ -99,6 +124,30 @@ describe("level of detail", () => {
   it("draws every node where there are few, and no more than two a pixel where there are many", () => {
     expect(count(101)).toBe(101);
     expect(count(350_000)).toBeLessThanOrEqual(2 * sight.width + 4);
+  });
+  it("draws so many of the pixels that a tension length has in the picture, not of all", () => {
+    let points = 0;
+    const context = { beginPath() {}, stroke() {}, lineTo: () => points++ } as unknown as CanvasRenderingContext2D;
+    // 100 m of the 50 km that are seen: two pixels.
+    const far = camera({ ...sight, range: [0, 50_000] });
+    traceWire(context, far, indexOf(line(350)).wires[0]!, "side", null);
+    expect(points).toBeLessThanOrEqual(8);
+    points = 0;
+    traceWire(context, camera({ ...sight, range: [200, 300] }), indexOf(line(350)).wires[0]!, "side", null);
+    expect(points).toBe(0);
+  });
+  it("moves what moves, also where it knows the lowest and highest nodes at rest", () => {
+    const wire = indexOf(line(350_000)).wires[0]!;
+    const eye = camera(sight);
+    const highest = (own: { first: number; up: Float32Array } | null) => {
+      const drawn: number[] = [];
+      const context = { beginPath() {}, stroke() {}, lineTo: (_: number, y: number) => drawn.push(y) };
+      traceWire(context as unknown as CanvasRenderingContext2D, eye, wire, "side", own && { ...own, across: null });
+      return Math.min(...drawn);
+    };
+    expect(highest(null)).toBeCloseTo(eye.y(5.3));
+    expect(highest({ first: 123_456, up: Float32Array.of(0.25) })).toBeCloseTo(eye.y(5.55));
+    expect(highest(null)).toBeCloseTo(eye.y(5.3));
   });
   it("leaves droppers out where they would touch", () => {
     const geometry = line();

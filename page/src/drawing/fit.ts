@@ -32,12 +32,25 @@ export function exaggerate(larger: boolean): void {
   exaggeration.value = nextExaggeration(exaggeration.peek(), larger);
 }
 
+/** Ends of a line that differ by less than this, in m, are the same: those of coarse elements are rounded. */
+const SAME_END = 1e-3;
+
+const isSame = (one: [number, number], other: [number, number]): boolean =>
+  one.every((end, at) => Math.abs(end - other[at]!) < SAME_END);
+
 let name: string | null = null;
-// Another line is seen as a whole first; the same one, changed, stays where it was looked at.
+/** Ends in m of the line that was seen last. */
+let seen: [number, number] | null = null;
+effect(() => {
+  const line = shown.value;
+  if (line && line !== edited.peek()) seen = indexOf(line).x;
+});
+// Another line is seen as a whole first. One that was changed, and one as long as the line of the
+// run that was seen until now, stay where they were looked at.
 effect(() => {
   const line = edited.value;
-  if (line && line.name !== name && shown.peek() === line) {
-    name = line.name;
-    requestAnimationFrame(fit);
-  }
+  if (!line || shown.peek() !== line) return;
+  const { x } = indexOf(line);
+  if (line.name !== name && !(seen && isSame(seen, x))) requestAnimationFrame(fit);
+  [name, seen] = [line.name, x];
 });

@@ -1,5 +1,5 @@
 /** A geometry as typed arrays in m, with what drawing and picking look up. */
-import type { Geometry, WireKind } from "./geometry.ts";
+import type { Geometry, Wire, WireKind } from "./geometry.ts";
 
 export interface WireArrays {
   kind: WireKind;
@@ -7,6 +7,8 @@ export interface WireArrays {
   x: Float64Array;
   y: Float64Array;
   z: Float64Array;
+  /** Whether it runs beside an earlier wire of its kind, which hides it from the side: the second of twins. */
+  isSecond: boolean;
 }
 
 export interface LineIndex {
@@ -22,6 +24,22 @@ export interface LineIndex {
 
 const known = new WeakMap<Geometry, LineIndex>();
 
+/** Kinds of which two may run side by side all along a line. */
+const IN_PAIRS: readonly WireKind[] = ["contact", "messenger", "auxiliary"];
+/** Wires that have more than this share of their length in common are twins; in an overlap it is a tenth. */
+const TWINS = 0.5;
+
+/** Whether a wire runs beside one of the earlier ones of its kind. */
+function isSecond(wires: readonly Wire[], number: number): boolean {
+  const own = wires[number]!;
+  const [start, end] = [own.x[0] ?? 0, own.x.at(-1) ?? 0];
+  if (!IN_PAIRS.includes(own.kind)) return false;
+  return wires.slice(0, number).some(({ kind, x }) => {
+    const common = Math.min(end, x.at(-1) ?? 0) - Math.max(start, x[0] ?? 0);
+    return kind === own.kind && common > TWINS * (end - start);
+  });
+}
+
 /** The index of a geometry, made once. */
 export function indexOf(geometry: Geometry): LineIndex {
   const found = known.get(geometry) ?? made(geometry);
@@ -30,12 +48,13 @@ export function indexOf(geometry: Geometry): LineIndex {
 }
 
 function made(geometry: Geometry): LineIndex {
-  const wires = geometry.wires.map(({ kind, name, x, y, z }) => ({
+  const wires = geometry.wires.map(({ kind, name, x, y, z }, number) => ({
     kind,
     name,
     x: Float64Array.from(x),
     y: Float64Array.from(y),
     z: Float64Array.from(z),
+    isSecond: isSecond(geometry.wires, number),
   }));
   const order = Uint32Array.from(geometry.droppers.keys());
   order.sort((a, b) => geometry.droppers[a]!.x_m - geometry.droppers[b]!.x_m);

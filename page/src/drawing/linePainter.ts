@@ -2,10 +2,9 @@
 import type { Selected } from "../state/selection.ts";
 import { ticks, type Camera } from "./camera.ts";
 import type { Dropper, Support } from "./geometry.ts";
-import { below, between, type WireArrays } from "./lineIndex.ts";
-import type { Moved, MovedWire, Pencil } from "./scene.ts";
-
-export type View = "side" | "plan";
+import { below } from "./lineIndex.ts";
+import type { Moved, Pencil } from "./scene.ts";
+import { shift, traceWire, type View } from "./wirePath.ts";
 
 const COLOURS = {
   contact: "contact_wire",
@@ -16,52 +15,14 @@ const COLOURS = {
 } as const;
 const CONTACT_WIDTH = 2.4;
 const OTHER_WIDTH = 1.4;
-// Level of detail, in px: nodes, droppers and numbers that are nearer to one another are not drawn.
-const NODES_PER_PIXEL = 2;
+// The second wire of twins: hollow in dashes, so that both are seen where one hides the other.
+const SECOND_WIDTH = 3;
+const HOLLOW = { width: 1.4, dash: [6, 5] };
+// Level of detail, in px: droppers and numbers that are nearer to one another are not drawn.
 const DROPPER_APART = 3;
 const NUMBER_APART = 34;
 const TICK_APART = 90;
 const HEIGHT_APART = 34;
-
-/** Displacement in m of a node, up or across. */
-export function shift(own: MovedWire | null | undefined, node: number, view: View): number {
-  const values = view === "side" ? own?.up : own?.across;
-  return own && values ? (values[node - own.first] ?? 0) : 0;
-}
-
-/** Path of a wire; where pixels are fewer than nodes, its lowest and highest point in each. */
-export function traceWire(
-  context: CanvasRenderingContext2D,
-  camera: Camera,
-  wire: WireArrays,
-  view: View,
-  own: MovedWire | null | undefined,
-): void {
-  const [first, last] = between(wire, camera.x0, camera.x1);
-  const values = view === "side" ? wire.z : wire.y;
-  const crowd = (last - first) / camera.width;
-  context.beginPath();
-  if (crowd <= NODES_PER_PIXEL) {
-    for (let node = first; node < last; node++) {
-      context.lineTo(camera.x(wire.x[node]!), camera.y(values[node]! + shift(own, node, view)));
-    }
-  } else {
-    // Begins at a multiple: when the picture is moved, the same nodes stand together.
-    const chunk = Math.ceil(crowd);
-    for (let start = first - (first % chunk); start < last; start += chunk) {
-      let [low, high] = [Infinity, -Infinity];
-      for (let node = start; node < Math.min(start + chunk, wire.x.length); node++) {
-        const value = values[node]! + shift(own, node, view);
-        if (value < low) low = value;
-        if (value > high) high = value;
-      }
-      const x = camera.x(wire.x[start]!);
-      context.lineTo(x, camera.y(high));
-      context.lineTo(x, camera.y(low));
-    }
-  }
-  context.stroke();
-}
 
 function wires(pencil: Pencil, view: View, now: Moved | null, colour?: string): void {
   const { context, line, camera } = pencil;
@@ -74,7 +35,14 @@ function wires(pencil: Pencil, view: View, now: Moved | null, colour?: string): 
     const wire = line.wires[number]!;
     context.strokeStyle = pencil.colour(colour ?? COLOURS[wire.kind]);
     context.lineWidth = colour ? 1 : wire.kind === "contact" ? CONTACT_WIDTH : OTHER_WIDTH;
+    if (wire.isSecond && !colour) context.lineWidth = SECOND_WIDTH;
     traceWire(context, camera, wire, view, now?.wires[number]);
+    if (!wire.isSecond || colour) continue;
+    context.strokeStyle = pencil.colour("paper");
+    context.lineWidth = HOLLOW.width;
+    context.setLineDash(HOLLOW.dash);
+    context.stroke();
+    context.setLineDash([]);
   }
 }
 
@@ -152,7 +120,9 @@ function arms(pencil: Pencil, view: View, now: Moved | null): void {
   const axis = view === "side" ? 2 : 1;
   context.strokeStyle = context.fillStyle = pencil.colour("arm");
   context.lineWidth = 2;
-  for (const support of seen(geometry.supports, camera)) {
+  const all = seen(geometry.supports, camera);
+  if (all.length * DROPPER_APART > camera.width) return;
+  for (const support of all) {
     for (const { from, to } of support.arms) {
       const moved = shift(now?.wires[support.wire], support.node, view);
       context.beginPath();

@@ -1,9 +1,10 @@
 /** What stands at a place of the drawing; distances in px of CSS. */
 import type { Camera } from "./camera.ts";
 import type { Geometry, Span } from "./geometry.ts";
-import { dropperEnds, droppersSeen, type View } from "./linePainter.ts";
+import { dropperEnds, droppersSeen } from "./linePainter.ts";
 import type { LineIndex } from "./lineIndex.ts";
 import type { Moved } from "./scene.ts";
+import type { View } from "./wirePath.ts";
 
 /** As far as this from a dropper or support, in px, it is meant: half of a finger's width. */
 const NEAR = 8;

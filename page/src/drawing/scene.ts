@@ -96,14 +96,13 @@ export function addLayer(layer: Layer): () => void {
   };
 }
 
-const painters = new Set<() => void>();
+/** Changes whenever all canvases are to be drawn: each reads it, as it reads the signals that it draws. */
+export const drawing = signal(0);
 let asked = false;
 
-/** Have a canvas drawn whenever `redraw` is called; the returned function ends it. */
-export function onRedraw(paint: () => void): () => void {
-  painters.add(paint);
-  redraw();
-  return () => void painters.delete(paint);
+/** Draw all canvases at the end of the batch: with what else has changed in it once, and not twice. */
+export function redrawNow(): void {
+  drawing.value = drawing.peek() + 1;
 }
 
 /** Draw all canvases at the next frame, once. */
@@ -112,7 +111,7 @@ export function redraw(): void {
   asked = true;
   requestAnimationFrame(() => {
     asked = false;
-    for (const paint of painters) paint();
+    redrawNow();
   });
 }
 

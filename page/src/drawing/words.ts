@@ -1,23 +1,24 @@
 /** What stands at a position of the line, in words and numbers with units. */
 import type { Geometry } from "./geometry.ts";
-import { contactAt, valueAt, type LineIndex } from "./lineIndex.ts";
+import { valueAt, type LineIndex } from "./lineIndex.ts";
 import { forceOf } from "./linePainter.ts";
 import { spanAt, type Picked } from "./pick.ts";
 import type { Moved } from "./scene.ts";
 
 const metres = (value: number, digits = 3) => `${value.toFixed(digits)} m`;
 
-/** A position: its span, the height of the contact wire and of what it hangs from. */
+/** A position: its span, the heights of the contact wires and of what they hang from, each by its name. */
 export function placeInWords(geometry: Geometry, line: LineIndex, x: number): string {
   const span = spanAt(geometry, x);
-  const contact = contactAt(line, x);
-  const messenger = line.wires.find((wire) => wire.kind === "messenger" && valueAt(wire, "z", x) !== null);
   const parts = [span ? `span ${span.number}` : "beyond the line", metres(x, 2)];
-  if (contact) parts.push(`contact wire ${metres(contact.z)}`);
-  if (contact && geometry.spatial) {
-    parts.push(`lateral ${metres(valueAt(line.wires[contact.wire]!, "y", x) ?? 0)}`);
+  for (const kind of ["contact", "messenger"]) {
+    for (const wire of line.wires) {
+      const height = wire.kind === kind ? valueAt(wire, "z", x) : null;
+      if (height === null) continue;
+      parts.push(`${wire.name} ${metres(height)}`);
+      if (kind === "contact" && geometry.spatial) parts.push(`lateral ${metres(valueAt(wire, "y", x) ?? 0)}`);
+    }
   }
-  if (messenger) parts.push(`messenger wire ${metres(valueAt(messenger, "z", x) ?? 0)}`);
   return parts.join(" · ");
 }
 

@@ -5,10 +5,15 @@ import { selected } from "../state/selection.ts";
 import { writable } from "./documents.ts";
 import { amount, parts, type FormField } from "./formData.ts";
 import type { Value } from "./patch.ts";
-import { About, change, problemsOf } from "./ValueField.tsx";
+import { VaryButton } from "../studies/VaryButton.tsx";
+import { About, canVary, change, problemsOf } from "./ValueField.tsx";
 
 type Item = { [key: string]: Value };
 const isItem = (value: Value): value is Item => typeof value === "object" && value !== null && !Array.isArray(value);
+
+/** Numbers of the items of a list can be varied; spans by their hundreds, and values that are the list itself, cannot. */
+const isVaried = (own: FormField, value: Value, field: string) =>
+  Array.isArray(own.typed) && own.typed.some(isItem) && !own.field.endsWith("spans") && field.split(".").length > own.field.split(".").length + 1 && /^[-+.\d]/.test(String(value ?? ""));
 
 export function ListField({ own }: { own: FormField }) {
   const rows = Array.isArray(own.typed) ? own.typed : [];
@@ -17,7 +22,7 @@ export function ListField({ own }: { own: FormField }) {
   // A new row is like the last one: its numbers are changed then.
   const add = () => change(`${own.field}.${rows.length}`, rows.at(-1) ?? 0);
   const cell = (field: string, value: Value, label: string) => (
-    <Cell key={field} field={field} value={value} label={label} disabled={disabled} />
+    <Cell key={field} field={field} value={value} label={label} disabled={disabled} canVary={canVary.value && isVaried(own, value, field)} />
   );
   return (
     <fieldset class="list">
@@ -72,9 +77,10 @@ interface CellProps {
   value: Value;
   label: string;
   disabled: boolean;
+  canVary: boolean;
 }
 
-function Cell({ field, value, label, disabled }: CellProps) {
+function Cell({ field, value, label, disabled, canVary }: CellProps) {
   const typing = useSignal<string | null>(null);
   const shown = isItem(value) || Array.isArray(value) ? JSON.stringify(value) : String(value ?? "");
   const problems = problemsOf(field);
@@ -85,21 +91,26 @@ function Cell({ field, value, label, disabled }: CellProps) {
     const { number, unit } = parts(now);
     change(field, now === "" ? null : amount(number, unit));
   };
+  // In a table a button for each number would hide the numbers: the one that is selected has it.
+  const isSelected = selected.value?.kind === "field" && selected.value.field === field;
   return (
-    <input
-      aria-label={label}
-      aria-invalid={problems.length > 0}
-      title={problems.join(" ")}
-      value={typing.value ?? shown}
-      disabled={disabled || isItem(value) || Array.isArray(value)}
-      class={selectedField.value === field ? "here" : ""}
-      onFocus={() => (selected.value = { kind: "field", field })}
-      onInput={(event) => (typing.value = event.currentTarget.value)}
-      onBlur={commit}
-      onKeyDown={(event) => {
-        if (event.key === "Enter") commit();
-        if (event.key === "Escape") typing.value = null;
-      }}
-    />
+    <>
+      <input
+        aria-label={label}
+        aria-invalid={problems.length > 0}
+        title={problems.join(" ")}
+        value={typing.value ?? shown}
+        disabled={disabled || isItem(value) || Array.isArray(value)}
+        class={selectedField.value === field ? "here" : ""}
+        onFocus={() => (selected.value = { kind: "field", field })}
+        onInput={(event) => (typing.value = event.currentTarget.value)}
+        onBlur={commit}
+        onKeyDown={(event) => {
+          if (event.key === "Enter") commit();
+          if (event.key === "Escape") typing.value = null;
+        }}
+      />
+      {canVary && isSelected && <VaryButton field={field} label={label} />}
+    </>
   );
 }

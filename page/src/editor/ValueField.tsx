@@ -1,9 +1,10 @@
 /** One value of the form: as typed, its unit, and what the field is. */
-import { useSignal } from "@preact/signals";
+import { computed, useSignal } from "@preact/signals";
 import { complain } from "../shell/messages.ts";
 import { selected } from "../state/selection.ts";
+import { VaryButton } from "../studies/VaryButton.tsx";
 import { findings } from "./checking.ts";
-import { writable } from "./documents.ts";
+import { kind, writable } from "./documents.ts";
 import { amount, inUnit, parts, type FormField } from "./formData.ts";
 import { patch, type Value } from "./patch.ts";
 
@@ -27,9 +28,15 @@ export function limitsOf({ minimum, maximum, unit }: FormField): string {
   return told.length ? `${told.join(" ")}${unit ? ` ${unit}` : ""}` : "";
 }
 
+/** Studies vary scenarios, and what is in them. */
+export const canVary = computed(() => kind.value !== "study");
+
 export function ValueField({ own }: { own: FormField }) {
   const typing = useSignal<string | null>(null);
-  const { number, unit } = parts(own.typed);
+  const { number, unit: typedUnit } = parts(own.typed);
+  // A number over one of the base has its unit.
+  const below = parts(own.inherited ?? null);
+  const unit = typedUnit || below.unit;
   const id = `field-${own.field}`;
   const problems = problemsOf(own.field);
   const commit = () => {
@@ -73,6 +80,8 @@ export function ValueField({ own }: { own: FormField }) {
           <input
             id={id}
             value={typing.value ?? number}
+            placeholder={below.number}
+            title={below.number ? `As in the base: ${String(own.inherited)}` : undefined}
             disabled={disabled}
             aria-invalid={problems.length > 0}
             aria-describedby={`about-${own.field}`}
@@ -87,6 +96,7 @@ export function ValueField({ own }: { own: FormField }) {
           />
         )}
         <Unit own={own} unit={unit} disabled={disabled || number === ""} />
+        {typeof own.value === "number" && canVary.value && <VaryButton field={own.field} label={own.label} />}
       </span>
       <About own={own} problems={problems} />
     </>

@@ -10,6 +10,8 @@ export interface FormField {
   label: string;
   /** As it stands in the text: a number, a text with its unit, a list; null where it is not given. */
   typed: Value;
+  /** Of a variant: what its base has, where nothing is typed. */
+  inherited?: Value;
   /** In SI. */
   value: Value;
   unit: string | null;

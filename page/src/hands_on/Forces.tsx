@@ -20,7 +20,7 @@ export function ForceNumber({ number }: { number: number }) {
   const told = begun.value!;
   const limit = told.highest;
   const most = top();
-  const words = now <= 0 ? "no contact" : Number.isNaN(now) ? "" : `${Math.round(now)} N`;
+  const words = now <= 0 ? "no contact" : Number.isNaN(now) ? "–" : `${Math.round(now)} N`;
   return (
     <div class="force">
       <span class="name">{told.pantographs[number]?.name}</span>

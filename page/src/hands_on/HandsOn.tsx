@@ -85,7 +85,7 @@ function Pace() {
   return (
     <span class="pace">
       <label>
-        Speed{" "}
+        Pace{" "}
         <select value={String(rate.value)} onChange={(event) => setRate(Number(event.currentTarget.value))}>
           {RATES.map((one) => (
             <option key={one} value={String(one)}>{one === 1 ? "real time" : `${one} × real time`}</option>
@@ -106,12 +106,16 @@ function Running() {
         <button onClick={stop}>Stop</button>
         <Pace />
         <span class="soft">
-          {(3.6 * told.speed_m_s).toFixed(0)} km/h{laps.value > 0 && ` · begun anew at the end of the line: ${laps.value} ×`}
+          Train at {(3.6 * told.speed_m_s).toFixed(0)} km/h{laps.value > 0 && ` · begun anew at the end of the line: ${laps.value} ×`}
         </span>
       </div>
       {told.notes.map((note) => (
         <p class="note" key={note}>{note.charAt(0).toUpperCase() + note.slice(1)}.</p>
       ))}
+      <p class="note">
+        The slider adds to the static force, in N, upwards and where the pantograph is pushed up. A gust is a head wind that rises and
+        falls as 1 − cos: the lift that it adds acts at the same place. Wires feel no wind.
+      </p>
       <div class="hands">
         <div class="controls">
           {told.pantographs.map((_, number) => (

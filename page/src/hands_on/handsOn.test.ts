@@ -32,6 +32,8 @@ test("a trace forgets what is older than the strip", () => {
   trace.add(SHOWN + 1, [200]);
   expect(trace.times).toEqual([SHOWN / 2, SHOWN + 1]);
   expect(trace.highest()).toBe(200);
+  trace.add(SHOWN + 2, [NaN, 150]); // beside the wire
+  expect(trace.highest()).toBe(200);
   trace.clear();
   expect(trace.highest()).toBe(0);
 });

@@ -26,6 +26,7 @@ export class Trace {
 
   /** Highest force that is kept, N. */
   highest(): number {
-    return this.forces.reduce((most, all) => Math.max(most, ...all), 0);
+    // Of a pantograph beside the wire it is NaN, which is not higher than anything.
+    return this.forces.flat().reduce((most, one) => (one > most ? one : most), 0);
   }
 }

@@ -73,6 +73,7 @@ export function Transport() {
         onKeyDown={scrubbed}
       />
       <output class="where">{place.value ? `${place.value} · ` : ""}{readout}</output>
+      {scene.value.search !== null && <span class="attempt" role="status">Search for the static force, attempt {scene.value.search}</span>}
       <span class="waiting" role="status">{waiting.value && playing.value ? "loading" : ""}</span>
       {worst.value.length > 0 && (
         <button title="K and J: previous and next" onClick={() => stepWorst(1)}>Next worst place</button>

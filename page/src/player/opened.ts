@@ -4,10 +4,11 @@ import { ask } from "../connection/http.ts";
 import type { Geometry } from "../drawing/geometry.ts";
 import { complain, say } from "../shell/messages.ts";
 import { show, shown } from "../shell/panels.ts";
+import { jobs } from "../state/jobs.ts";
 import { clock, source, type Source } from "../state/selection.ts";
 import { follow, setEnds } from "./clock.ts";
 import { Pull, type Opened } from "./motion/pull.ts";
-import { asking, begin, history, pace, present, rate, scene, store, wake } from "./player.ts";
+import { asking, begin, fits, history, pace, present, rate, scene, store, wake, type Scene } from "./player.ts";
 
 let current: Pull | null = null;
 
@@ -23,24 +24,37 @@ function pantographs(about: Opened) {
     }));
 }
 
-async function opened(of: Source, about: Opened): Promise<void> {
+/** Source whose line is known, and that line. */
+let line: { of: Source; geometry: Geometry } | null = null;
+
+async function lineOf(of: Source): Promise<Geometry> {
   const query = "run" in of ? { path: of.run } : { job: of.job };
-  const known = scene.peek();
+  if (line?.of !== of) line = { of, geometry: await ask<Geometry>("run/line", { query }) };
+  return line.geometry;
+}
+
+async function opened(of: Source, about: Opened): Promise<void> {
   try {
-    const geometry = known?.geometry ?? (await ask<Geometry>("run/line", { query }));
+    const geometry = await lineOf(of);
     if (current?.source !== of) return;
-    // The wires of a stored run move after all: what was kept has none of them.
-    if (known && about.wires && !known.wires) store.clear();
-    present(
-      { geometry, pantographs: pantographs(about), row_s: about.every_s, wires: about.wires },
-      about.start_s, about.end_s, !about.final,
-    );
+    const known = scene.peek();
+    const next: Scene = {
+      geometry, pantographs: pantographs(about), row_s: about.every_s, wires: about.wires, search: about.search ?? null,
+    };
+    // Of a run that has ended its line is asked for again, and is the same: drawn is the one that was.
+    if (known && fits(known, next)) next.geometry = known.geometry;
+    // What was kept has no wires, and these move; or the other way round; or it is of another mesh.
+    if (known && (about.wires !== known.wires || !fits(known, next))) store.clear();
+    present(next, about.start_s, about.end_s, !about.final);
     if (!known) toTheLine();
-    if (!known && !about.final) follow();
+    if (!known && !about.final && !isStill()) follow();
   } catch (error) {
     if (current?.source === of) complain(error);
   }
 }
+
+/** Whoever wants little motion starts it by hand: a run is then not followed by itself. */
+const isStill = (): boolean => matchMedia("(prefers-reduced-motion: reduce)").matches;
 
 /** Who opens a run from the first screen wants to see it; other panels stay. */
 function toTheLine(): void {
@@ -56,6 +70,16 @@ function edge(end: number, final: boolean): void {
   wake();
 }
 
+/** There is no more of a source; of a job that failed, or was lost with its server, its end is told already. */
+function closed(of: Source, text: string): void {
+  const job = "job" in of ? jobs.peek().find((one) => one.id === of.job) : undefined;
+  if (!job || job.state === "done") say("error", text);
+  if (!scene.peek()) return;
+  const last = store.track("pantograph.0").times.at(-1) ?? clock.start_s.peek();
+  setEnds(clock.start_s.peek(), last, false);
+  wake();
+}
+
 function open(of: Source): Pull {
   pace.forget();
   const pull = new Pull(of, store, history, {
@@ -63,6 +87,7 @@ function open(of: Source): Pull {
     edge,
     changed: wake,
     failed: (text) => say("error", text),
+    closed: (text) => closed(of, text),
   });
   asking.current = () => {
     const now = scene.peek();
@@ -74,15 +99,22 @@ function open(of: Source): Pull {
   return pull;
 }
 
+/** Whether a run is what a job, which was played until now, has computed: clock and frames stay. */
+function isEndOf(before: Source | null, of: Source | null): boolean {
+  if (!before || !of || !("job" in before) || !("run" in of)) return false;
+  return jobs.peek().some(({ id, path }) => id === before.job && path === of.run);
+}
+
 /** Have what `source` names played, from now on. */
 export function followSource(): void {
+  let before: Source | null = null;
   effect(() => {
     const of = source.value;
     current?.close();
     asking.current = null;
     current = null;
-    begin();
-    clock.time_s.value = 0;
+    if (!isEndOf(before, of)) begin();
+    before = of;
     if (of) current = open(of);
   });
 }

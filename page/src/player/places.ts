@@ -2,7 +2,8 @@
 import { signal } from "@preact/signals";
 import { clock } from "../state/selection.ts";
 import { jump } from "./clock.ts";
-import { scene, state, store } from "./player.ts";
+import { lastAt } from "./motion/track.ts";
+import { scene, store } from "./player.ts";
 
 /** Worst places of the run that is played, ascending; empty before they are known. */
 export const worst = signal<number[]>([]);
@@ -16,11 +17,23 @@ export function speed(): number {
   return (x(last) - x(0)) / (times[last]! - times[0]!);
 }
 
+/**
+ * Where the first pantograph is at the clock's time, from the frame before it on; NaN where no frame is
+ * kept. A clock that has just jumped has no frame of its own yet, and two keys follow one another faster.
+ */
+export function placeNow(): number {
+  const { times, entries } = store.track("pantograph.0");
+  const at = Math.max(lastAt(times, clock.time_s.peek()), 0);
+  const x = entries[at]?.[0]?.values[0] ?? NaN;
+  const away = clock.time_s.peek() - (times[at] ?? NaN);
+  return away === 0 ? x : x + away * speed();
+}
+
 /** The time at which the first pantograph is at a position; `null` where it is not known. */
 export function timeAt(x: number): number | null {
-  const now = state.current.pantographs[0]?.position;
+  const now = placeNow();
   const v = speed();
-  if (now === undefined || !Number.isFinite(now) || !Number.isFinite(v) || v === 0) return null;
+  if (!Number.isFinite(now) || !Number.isFinite(v) || v === 0) return null;
   return clock.time_s.peek() + (x - now) / v;
 }
 
@@ -33,7 +46,7 @@ export function standAt(x: number, { before_s = 0 } = {}): void {
 /** Go to the next or previous start of a span. */
 export function stepSpan(direction: 1 | -1): void {
   const spans = scene.peek()?.geometry.spans ?? [];
-  const now = state.current.pantographs[0]?.position ?? NaN;
+  const now = placeNow();
   const starts = [...spans.map((span) => span.start_m), ...spans.slice(-1).map((span) => span.end_m)];
   // A place that the clock stands at, to a rounding error, is not the next one.
   const next = direction > 0 ? starts.find((x) => x > now + 0.01) : starts.findLast((x) => x < now - 0.01);
@@ -43,7 +56,7 @@ export function stepSpan(direction: 1 | -1): void {
 /** Go to the next or previous worst place, a second before the pantograph reaches it. */
 export function stepWorst(direction: 1 | -1): void {
   const v = speed();
-  const now = (state.current.pantographs[0]?.position ?? NaN) + BEFORE * (Number.isFinite(v) ? v : 0);
+  const now = placeNow() + BEFORE * (Number.isFinite(v) ? v : 0);
   const all = worst.peek();
   // After the last one comes the first.
   const next =

@@ -19,7 +19,7 @@ beforeEach(() => {
   begin();
   scene.value = {
     geometry: { name: "", spatial: false, height_m: 5, spans: [], wires: [], droppers: [], supports: [] },
-    pantographs: [], row_s: ROW, wires: true,
+    pantographs: [], row_s: ROW, wires: true, search: null,
   };
   [clock.time_s.value, clock.rate.value, clock.live.value] = [1, 1, false];
   pace.forget();

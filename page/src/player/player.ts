@@ -4,11 +4,11 @@
  */
 import { batch, effect, signal } from "@preact/signals";
 import type { Geometry } from "../drawing/geometry.ts";
-import { moved, played, redraw, showing, type MovedWire } from "../drawing/scene.ts";
+import { moved, played, redrawNow, showing, type MovedWire } from "../drawing/scene.ts";
 import { clock } from "../state/selection.ts";
 import { pause, setEnds, tick } from "./clock.ts";
 import { History } from "./motion/history.ts";
-import { newState, sample, type MotionState } from "./motion/state.ts";
+import { newState, sample, type MotionState, type Sizes } from "./motion/state.ts";
 import { Store } from "./motion/store.ts";
 import { lastAt } from "./motion/track.ts";
 import { everyAt } from "./motion/wanted.ts";
@@ -28,6 +28,8 @@ export interface Scene {
   row_s: number;
   /** Whether the motion of wires is there. */
   wires: boolean;
+  /** Which attempt of a search for the static force it is, from 1; `null`: it is the run. */
+  search: number | null;
 }
 
 /** Where rows have no known interval, moments so far apart in s are neighbours. */
@@ -81,7 +83,7 @@ function show(): void {
     waiting.value = !state.current.complete;
   }
   for (const view of viewers) view();
-  redraw();
+  redrawNow();
 }
 
 function movedWire({ up, across, moving }: MotionState["wires"][number]): MovedWire | null {
@@ -93,10 +95,13 @@ function movedWire({ up, across, moving }: MotionState["wires"][number]): MovedW
 
 function frame(now: number): void {
   awake = false;
-  tick(Math.min((now - before) / 1000, LONGEST), limit);
-  before = now;
-  asking.current?.();
-  show();
+  // Views are drawn at the end, once, of all that has changed.
+  batch(() => {
+    tick(Math.min((now - before) / 1000, LONGEST), limit);
+    before = now;
+    asking.current?.();
+    show();
+  });
   if (clock.playing.peek()) wake();
 }
 
@@ -110,28 +115,37 @@ export function wake(): void {
   });
 }
 
-/** Begin with an empty store: another source is opened. */
+/** Begin with an empty store at the start: another source is opened. */
 export function begin(): void {
   store.clear();
   history.clear();
   batch(() => {
     pause();
+    clock.time_s.value = 0;
     scene.value = null;
     played.value = null;
     moved.current = null;
   });
 }
 
+const sizesOf = ({ geometry, pantographs }: Scene): Sizes => ({
+  wires: geometry.wires.map((wire) => wire.x.length),
+  spatial: geometry.spatial,
+  droppers: geometry.droppers.length,
+  supports: geometry.supports.length,
+  pantographs: pantographs.length,
+});
+
+/** Whether one motion can go on where another one is: as many nodes, droppers, supports, pantographs. */
+export const fits = (one: Scene, other: Scene): boolean =>
+  JSON.stringify(sizesOf(one)) === JSON.stringify(sizesOf(other));
+
 /** The line and what moves on it are known. */
 export function present(next: Scene, start: number, end: number, more: boolean): void {
-  const { geometry, pantographs } = next;
-  state.current = newState({
-    wires: geometry.wires.map((wire) => wire.x.length),
-    spatial: geometry.spatial,
-    droppers: geometry.droppers.length,
-    supports: geometry.supports.length,
-    pantographs: pantographs.length,
-  });
+  const { geometry } = next;
+  const before = scene.peek();
+  // What is shown stays until there are frames of what comes.
+  if (!before || !fits(before, next)) state.current = newState(sizesOf(next));
   batch(() => {
     scene.value = next;
     played.value = geometry;

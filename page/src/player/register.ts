@@ -1,11 +1,11 @@
 import { computed, effect } from "@preact/signals";
 import { addLayer, isPlayed, shown, showing, type Pencil } from "../drawing/scene.ts";
 import { addCommand, addPanel } from "../shell/panels.ts";
-import { clock } from "../state/selection.ts";
+import { clock, range } from "../state/selection.ts";
 import { changeRate, follow, growing, jump, step, toggle } from "./clock.ts";
 import { followSource } from "./opened.ts";
 import { stepSpan, stepWorst, worst } from "./places.ts";
-import { every, scene, viewers } from "./player.ts";
+import { every, scene, viewers, wake } from "./player.ts";
 import { followWorst } from "./worst.ts";
 import { followCamera, startFollowing } from "./views/camera.ts";
 import { drawPlan, drawSide } from "./views/pantographs.ts";
@@ -51,6 +51,11 @@ export function register(): void {
   // Whoever plays wants to see the run, and no longer the line that was edited meanwhile.
   effect(() => {
     if (clock.playing.value) showing.value = "played";
+  });
+  // Whoever moves the range of a clock that stands leaves the pantograph, too.
+  effect(() => {
+    void range.value;
+    wake();
   });
   commands();
   followSource();

@@ -2,6 +2,7 @@
 import type { ComponentChildren } from "preact";
 import { showStudy } from "../studies/vary.ts";
 import { project, type ModelEntry, type ProjectView } from "../state/project.ts";
+import { showing } from "../drawing/scene.ts";
 import { file, source, ticked } from "../state/selection.ts";
 import { show } from "../shell/panels.ts";
 import { copy } from "./copy.ts";
@@ -121,6 +122,13 @@ function Library({ view }: { view: ProjectView }) {
   );
 }
 
+/** Play a run; the one that is played goes on where it is, and is seen again. */
+function play(path: string): void {
+  const played = source.peek();
+  if (played && "run" in played && played.run === path) showing.value = "played";
+  else source.value = { run: path };
+}
+
 export function ProjectTree() {
   const view = project.value;
   if (!view) return <p class="soft tree-head">Reading the folder</p>;
@@ -128,7 +136,7 @@ export function ProjectTree() {
     <div class="tree">
       <h2 class="tree-head" title={view.folder}>{view.name}</h2>
       <Models view={view} />
-      <Runs view={view} play={(path) => (source.value = { run: path })} />
+      <Runs view={view} play={play} />
       <KeptStudies view={view} />
       <Measured view={view} />
       <Library view={view} />

@@ -1,14 +1,14 @@
 /** The bar at the top: scenario, speed, pantographs, run, its progress, the verdict. */
 import { useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
-import { change, changes } from "../state/changes.ts";
+import { change, changes, written } from "../state/changes.ts";
 import { cancel } from "../state/jobs.ts";
 import { project } from "../state/project.ts";
-import { file, scenario } from "../state/selection.ts";
+import { file, scenario, source } from "../state/selection.ts";
 import { complain, messages } from "../shell/messages.ts";
 import { fold, folded } from "../shell/layout.ts";
 import { dialog, listed } from "../shell/window.ts";
-import { canRun, nameOf, run, runningJob, saveAsScenario, withCertainty, withMotion } from "./running.ts";
+import { canRun, isWatched, nameOf, run, runningJob, saveAsScenario, withCertainty, withMotion } from "./running.ts";
 import { fields } from "./scenarioFields.ts";
 import { withUnit } from "./words.ts";
 import { Verdict } from "./Verdict.tsx";
@@ -17,10 +17,13 @@ function Scenario() {
   const view = project.value;
   const own = view?.models.filter((one) => one.kind === "scenario") ?? [];
   const shipped = view?.library.filter((one) => one.kind === "scenario") ?? [];
+  // Just written: the list has it at its next look.
+  const isNew = scenario.value !== null && ![...own, ...shipped].some(({ path }) => path === scenario.value);
   return (
     <label class="scenario">
       <span>Scenario</span>
       <select
+        title={scenario.value === null ? "" : nameOf(scenario.value)}
         value={scenario.value ?? ""}
         onChange={(event) => {
           scenario.value = event.currentTarget.value || null;
@@ -28,6 +31,7 @@ function Scenario() {
         }}
       >
         {scenario.value === null && <option value="">Choose one</option>}
+        {isNew && <option value={scenario.value!}>{nameOf(scenario.value!)}</option>}
         {own.length > 0 && (
           <optgroup label="In this folder">
             {own.map((one) => <option key={one.path} value={one.path}>{one.name}</option>)}
@@ -77,7 +81,7 @@ function Pantographs() {
         return (
           <label key={field}>
             <span>{ofFile.length > 1 ? `Pantograph ${place + 1}` : "Pantograph"}</span>
-            <select class={now === model ? "" : "changed"} value={now} onChange={(event) => change(field, event.currentTarget.value, model)}>
+            <select class={now === model ? "" : "changed"} title={options.get(now)} value={now} onChange={(event) => change(field, event.currentTarget.value, model)}>
               {[...options].map(([path, name]) => <option key={path} value={path}>{name}</option>)}
             </select>
           </label>
@@ -128,7 +132,7 @@ function Changed() {
   return (
     <div class="variant" role="group" aria-label="Variant">
       <span>
-        Variant of {nameOf(base)}: {all.map(([field, value]) => `${field} ${value}`).join(", ")}
+        Variant of {nameOf(base)}: {all.map(([field, value]) => `${field} ${written(value)}`).join(", ")}
       </span>
       {naming.value ? (
         <form onSubmit={(event) => void save(event)}>
@@ -154,7 +158,8 @@ function Running() {
     <div class="running">
       <progress max={1} value={job.fraction} aria-label={`Progress of ${job.title}`} />
       <span class="numbers">{job.state === "waiting" ? "waiting" : `${percent} %`}</span>
-      <span class="doing">{job.doing}</span>
+      <span class="doing" title={job.doing}>{job.doing}</span>
+      {!isWatched(job) && <button onClick={() => (source.value = { job: job.id })}>Watch</button>}
       <button onClick={() => void cancel(job.id).catch(complain)}>Cancel</button>
     </div>
   );
@@ -183,17 +188,19 @@ function Tools() {
 export function RunBar() {
   const isVariant = Object.keys(changes.value).length > 0;
   return (
-    <div class="run-bar">
-      <Scenario />
-      <Speed />
-      <Pantographs />
-      <button class="run" disabled={!canRun.value} title="Ctrl+Enter" onClick={() => void run()}>
-        <span aria-hidden="true">▶</span> {isVariant ? "Run as variant" : "Run"}
-      </button>
-      <Options />
-      <Running />
-      <Tools />
+    <>
+      <div class="run-bar">
+        <Scenario />
+        <Speed />
+        <Pantographs />
+        <button class="run" disabled={!canRun.value} title="Ctrl+Enter" onClick={() => void run()}>
+          <span aria-hidden="true">▶</span> {isVariant ? "Run as variant" : "Run"}
+        </button>
+        <Options />
+        <Running />
+        <Tools />
+      </div>
       <Changed />
-    </div>
+    </>
   );
 }

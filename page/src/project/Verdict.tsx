@@ -1,11 +1,16 @@
-/** Verdict of the run that is shown: met, not met or too close to tell, and σ with its certainty and limit. */
+/**
+ * Verdict of the run that is shown, and the criterion behind it with value and limit: the one that is
+ * missed worst, else one that is too close to tell; σ where all are met.
+ */
 import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { ask } from "../connection/http.ts";
 import type { Assessed } from "../results/told.ts";
 import { entryOf, shownRun, versionOf } from "../results/which.ts";
 import { show } from "../shell/panels.ts";
-import { verdictOf } from "./words.ts";
+import { leadingWords, verdictOf } from "./words.ts";
+
+const STATES = { met: "met", missed: "not-met", open: "open" } as const;
 
 export function Verdict() {
   const run = shownRun.value;
@@ -26,17 +31,19 @@ export function Verdict() {
   if (run === null || !entry) return null;
   const told = assessed.value;
   const { sign, word, state } = verdictOf(entry.verdict);
-  const states = { met: "met", missed: "not-met", open: "open" } as const;
-  const spread = told?.criteria.filter((one) => one.title.startsWith("standard deviation"));
-  const worst = spread?.find((one) => one.pantograph === entry.worst) ?? spread?.[0];
+  const lead = told?.leading && leadingWords(told.leading, told.criteria, told.pantographs.length > 1);
   return (
-    <button class={`verdict-of ${told ? states[told.verdict.state] : state}`} title={told?.verdict.text ?? ""} onClick={() => show("results")}>
+    <button class={`verdict-of ${told ? STATES[told.verdict.state] : state}`} title={told?.verdict.text ?? ""} onClick={() => show("results")}>
       <span class="sign" aria-hidden="true">{told?.verdict.sign ?? sign}</span>
-      <strong>{told && told.verdict.state === "open" && entry.verdict !== "not judged" ? "too close to tell" : word}</strong>
-      {worst && (
-        <span class="numbers">
-          σ {worst.value} N{worst.limit && <span class="soft"> (limit {worst.limit.replace(/^[≤≥]\s*/, "")})</span>}
-        </span>
+      <strong>{lead && entry.verdict !== "stopped early" ? lead.verdict : word}</strong>
+      {lead && (
+        <>
+          <span class={lead.isSign ? "criterion sign" : "criterion"}>{lead.title}</span>
+          <span class="numbers">
+            {lead.value} {lead.limit && <span class="soft">(limit {lead.limit})</span>}
+          </span>
+          {lead.more > 0 && <span class="more soft">and {lead.more} more</span>}
+        </>
       )}
       {told?.other_version && <span class="soft">computed by Arcless {told.version}</span>}
     </button>

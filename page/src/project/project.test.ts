@@ -1,12 +1,14 @@
 import { expect, it } from "vitest";
 import { change, changes } from "../state/changes.ts";
+import type { Criterion } from "../results/told.ts";
 import type { RunEntry } from "../state/project.ts";
 import { freeName } from "./copy.ts";
-import { differences, matches, verdictOf, withUnit } from "./words.ts";
+import { differences, leadingWords, matches, verdictOf, withUnit } from "./words.ts";
+import { newestRun } from "./running.ts";
 import { sorted } from "./scenarioFields.ts";
 
 const run = (path: string, more: Partial<RunEntry>): RunEntry => ({
-  path, verdict: "met", reason: null, name: "a", created: null, speed_m_s: 50, changes: {}, pantographs: [],
+  path, verdict: "met", reason: null, name: "a", created: null, line: "re-250", line_digest: "1", speed_m_s: 50, changes: {}, pantographs: [],
   worst: null, max_uplift_at_support_mm: null, ...more,
 });
 
@@ -36,7 +38,14 @@ it("finds speed and pantographs among the fields of a form", () => {
     { field: "pantographs.0.model", typed: "a" },
     { field: "pantographs.0.mean_force", typed: "100 N" },
   ];
-  expect(sorted("x", found)).toEqual({ path: "x", speed: "275 km/h", pantographs: ["a", "b"] });
+  expect(sorted("x", found)).toEqual({ path: "x", speed: "275 km/h", line: null, pantographs: ["a", "b"] });
+  // Of a variant: what it sets, else what its base has.
+  const variant = [
+    { field: "set.speed", typed: null, inherited: "275 km/h" },
+    { field: "set.pantographs.0.model", typed: "b", inherited: null },
+  ];
+  expect(sorted("x", variant)).toEqual({ path: "x", speed: "275 km/h", line: null, pantographs: ["b"] });
+  expect(sorted("x", [{ field: "line", typed: "a-line.yaml" }]).line).toBe("a-line.yaml");
 });
 
 it("names what differs between runs, and nothing else", () => {
@@ -45,8 +54,43 @@ it("names what differs between runs, and nothing else", () => {
     run("r/2", { changes: { speed: "300 km/h" }, speed_m_s: 83.3 }),
     run("r/3", { name: "b", changes: { speed: "300 km/h" }, speed_m_s: 83.3 }),
   ];
-  expect(differences(runs)).toEqual([["a", "speed as in the file"], ["a", "speed 300 km/h"], ["b", "speed 300 km/h"]]);
+  expect(differences(runs)).toEqual([["a", "as in the file"], ["a", "speed 300 km/h"], ["b", "speed 300 km/h"]]);
   expect(differences(runs.slice(1, 2))).toEqual([["a", "speed 300 km/h"]]);
+});
+
+it("finds the newest run that can be read", () => {
+  expect(newestRun([])).toBeNull();
+  const all = [run("a", { created: "2026-01-02" }), run("b", { created: "2026-01-01" }), run("c", { created: "2026-01-03", verdict: "unreadable" })];
+  expect(newestRun(all)).toBe("a");
+});
+
+it("names the line where runs differ by nothing else", () => {
+  const other = [run("r/1", {}), run("r/2", { line: "re-330", line_digest: "2" }), run("r/3", { name: "b", line: "x", line_digest: "3" })];
+  expect(differences(other)).toEqual([["a", "line re-250"], ["a", "line re-330"], ["b", ""]]);
+  const edited = [
+    run("r/2", { line_digest: "2", created: "2026-01-02" }),
+    run("r/1", { created: "2026-01-01" }),
+  ];
+  expect(differences(edited)).toEqual([["a", "line re-250, version 2 of 2"], ["a", "line re-250, version 1 of 2"]]);
+  // A field of the line that was set says what differs.
+  const field = "line.contact_wire.tension";
+  const set = [run("r/1", { changes: { [field]: "15 kN" } }), run("r/2", { changes: { [field]: "16 kN" }, line_digest: "2" })];
+  expect(differences(set)).toEqual([["a", `${field} 15 kN`], ["a", `${field} 16 kN`]]);
+});
+
+const criterion = (name: string, more: Partial<Criterion>): Criterion => ({
+  name, title: name, pantograph: "P1", value: "60.8", limit: "≤ 50.8", margin: "-10.0", unit: "N", verdict: "not met",
+  state: "missed", mark: "A", source: "", note: "", reason: "", ...more,
+});
+
+it("says of the leading criterion value, limit and unit, and how many more there are", () => {
+  const uplift = criterion("uplift_space", { title: "space required for the uplift", value: "116", limit: "≤ 100", unit: "mm" });
+  const all = [uplift, criterion("standard_deviation", {}), criterion("wave_speed_use", { verdict: "met" })];
+  expect(leadingWords(uplift, all, false)).toEqual({
+    verdict: "not met", title: "space required for the uplift", isSign: false, value: "116 mm", limit: "≤ 100 mm", more: 1,
+  });
+  const met = criterion("standard_deviation", { verdict: "met" });
+  expect(leadingWords(met, [met, met], true)).toMatchObject({ title: "σ of P1", value: "60.8 N", more: 0 });
 });
 
 it("tells verdicts by word and shape", () => {

@@ -1,17 +1,20 @@
 /** A run of the chosen scenario: started, followed to its end, kept as a scenario of its own. */
-import { computed, effect, signal } from "@preact/signals";
+import { computed, effect, signal, untracked } from "@preact/signals";
 import { ask } from "../connection/http.ts";
 import { complain, say } from "../shell/messages.ts";
 import { changes } from "../state/changes.ts";
-import { jobs, type Job } from "../state/jobs.ts";
+import { keepFailure } from "../state/failure.ts";
+import { hasEnded, jobs, type Job } from "../state/jobs.ts";
 import { settled } from "../state/pending.ts";
-import { project, readProject } from "../state/project.ts";
+import { below, project, readProject, type ProjectView, type RunEntry } from "../state/project.ts";
 import { file, scenario, source, ticked } from "../state/selection.ts";
 
 export const withMotion = signal(true);
 export const withCertainty = signal(false);
-/** Jobs that were started from this window, and are not over. */
-const started = new Set<string>();
+/** What was ordered from this window and is not over, by its job. */
+const started = new Map<string, object>();
+/** Lost jobs of which it was said. */
+const mourned = new Set<string>();
 
 /** Of the newest run that is being computed; of one that is over nothing. */
 export const runningJob = computed<Job | null>(
@@ -29,17 +32,21 @@ export async function run(): Promise<void> {
   if (path === null || runningJob.peek() || isOrdered) return;
   isOrdered = true;
   await settled();
-  const body = {
+  await order({
     scenario: path,
     changes: changes.peek(),
     record_motion: withMotion.peek(),
     certainty: withCertainty.peek(),
     // The line may have changed since the run of that name: both are wanted, to compare them.
     keep_both: true,
-  };
+  });
+}
+
+async function order(body: object): Promise<void> {
+  isOrdered = true;
   try {
     const { job } = await ask<{ job: Job }>("runs", { body });
-    started.add(job.id);
+    started.set(job.id, body);
     source.value = { job: job.id };
     // A short run may be over before its answer is here.
     const known = jobs.peek().find((one) => one.id === job.id);
@@ -84,24 +91,73 @@ export const nameOf = (path: string): string => {
 
 function ended(job: Job): void {
   started.delete(job.id);
-  if (job.state === "failed") return say("error", job.error?.text ?? `${job.title} failed.`);
+  if (job.state === "failed") {
+    keepFailure(job);
+    return say("error", job.error ? below(job.error.text) : `${job.title} failed.`);
+  }
   if (job.state !== "done" || job.path === null) return;
   for (const note of job.notes) say("warning", note);
   const path = job.path;
   void readProject();
-  const played = source.peek();
   // Whoever looks at something else by now keeps it.
-  if (played && "job" in played && played.job === job.id) source.value = { run: path };
+  if (isWatched(job)) source.value = { run: path };
   if (!ticked.peek().includes(path)) ticked.value = [...ticked.peek(), path];
 }
 
+/** Of a run that ended with its server, whoever began it: nothing of it was written. */
+function lost(job: Job): void {
+  if (mourned.has(job.id) || job.kind !== "run") return;
+  mourned.add(job.id);
+  const body = started.get(job.id);
+  started.delete(job.id);
+  const text = `The run ${job.title} was ended with the server that computed it.`;
+  say("error", text, body && { label: "Run again", act: () => void order(body) });
+}
+
 function endedIf(job: Job): void {
-  if (started.has(job.id) && ["done", "failed", "cancelled"].includes(job.state)) ended(job);
+  if (job.lost) return lost(job);
+  if (!hasEnded(job)) return;
+  if (started.has(job.id)) ended(job);
+  else if (isWatched(job)) watched(job);
+}
+
+/** Whether the player shows a run that is or was computed. */
+export function isWatched(job: Job): boolean {
+  const played = source.value;
+  return job.kind === "run" && played !== null && "job" in played && played.job === job.id;
+}
+
+/** The end of a run that another window began, and this one watches. */
+function watched(job: Job): void {
+  if (job.state === "done" && job.path !== null) source.value = { run: job.path };
+  if (job.state === "failed") keepFailure(job);
+}
+
+/** The window is that of a phone: the tree stands below all else. */
+const isSmall = () => matchMedia("(max-width: 700px)").matches;
+
+/** The newest run that can be read; null without one. */
+export const newestRun = (runs: readonly RunEntry[]): string | null =>
+  [...runs].filter((one) => one.verdict !== "unreadable").sort((a, b) => (a.created ?? "").localeCompare(b.created ?? "")).at(-1)?.path ?? null;
+
+/** Where the tree is out of sight the newest run is shown at first. */
+function openNewest(view: ProjectView): void {
+  const nothing = source.peek() === null && ticked.peek().length === 0;
+  const path = newestRun(view.runs);
+  if (nothing && path !== null && isSmall()) source.value = { run: path };
 }
 
 export function followRuns(): void {
+  let isFirst = true;
   effect(() => {
-    for (const job of jobs.value) endedIf(job);
+    const view = project.value;
+    if (!view || !isFirst) return;
+    isFirst = false;
+    openNewest(view);
+  });
+  effect(() => {
+    const all = jobs.value;
+    untracked(() => all.forEach(endedIf));
   });
   // The first scenario of the folder is chosen until somebody chooses; one that is gone is let go.
   effect(() => {

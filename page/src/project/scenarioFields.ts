@@ -9,12 +9,16 @@ import { scenario } from "../state/selection.ts";
 interface Field {
   field: string;
   typed: unknown;
+  /** Of a variant: what its base has. */
+  inherited?: unknown;
 }
 
 export interface ScenarioFields {
   path: string;
   /** As typed: "275 km/h"; null where the form does not tell. */
   speed: string | null;
+  /** The line that it names, or that its base names; null where it holds its own. */
+  line: string | null;
   /** Names of the pantographs' models, the leading one first. */
   pantographs: string[];
 }
@@ -24,7 +28,8 @@ export const fields = signal<ScenarioFields | null>(null);
 const MODEL = /^pantographs\.(\d+)\.model$/;
 const text = (typed: unknown) => (typeof typed === "string" || typeof typed === "number" ? String(typed) : null);
 
-export function sorted(path: string, found: readonly Field[]): ScenarioFields {
+export function sorted(path: string, given: readonly Field[]): ScenarioFields {
+  const found = given.map(({ field, typed, inherited }) => ({ field: field.replace(/^set\./, ""), typed: typed ?? inherited }));
   const models = found.flatMap(({ field, typed }) => {
     const place = MODEL.exec(field);
     return place ? [[Number(place[1]), text(typed) ?? ""] as const] : [];
@@ -32,6 +37,7 @@ export function sorted(path: string, found: readonly Field[]): ScenarioFields {
   return {
     path,
     speed: text(found.find(({ field }) => field === "speed")?.typed),
+    line: text(found.find(({ field }) => field === "line")?.typed),
     pantographs: models.sort(([a], [b]) => a - b).map(([, model]) => model),
   };
 }

@@ -1,4 +1,5 @@
 /** Words for runs and models: verdicts, numbers, what differs. */
+import type { Criterion } from "../results/told.ts";
 import type { ModelEntry, ModelKind, RunEntry } from "../state/project.ts";
 
 /** Verdict by word, shape, and class of its colour. */
@@ -17,6 +18,34 @@ const VERDICTS: Record<RunEntry["verdict"], Shown> = {
 };
 
 export const verdictOf = (verdict: RunEntry["verdict"]): Shown => VERDICTS[verdict];
+
+/** A criterion in the few words of the run bar. */
+export interface Lead {
+  verdict: string;
+  title: string;
+  /** The title is a sign: it has room always. */
+  isSign: boolean;
+  value: string;
+  limit: string;
+  /** How many others have the same verdict. */
+  more: number;
+}
+
+/** σ is known by its sign; the other criteria have the titles of reports. */
+const SIGNS: Record<string, string> = { standard_deviation: "σ", statistical_max: "F_m + 3σ", statistical_min: "F_m − 3σ" };
+
+export function leadingWords(lead: Criterion, all: readonly Criterion[], several: boolean): Lead {
+  const unit = lead.unit && ` ${lead.unit}`;
+  const same = all.filter((one) => one.verdict === lead.verdict).length;
+  return {
+    verdict: lead.verdict,
+    title: (SIGNS[lead.name] ?? lead.title) + (several && lead.pantograph ? ` of ${lead.pantograph}` : ""),
+    isSign: lead.name in SIGNS,
+    value: `${lead.value}${unit}`,
+    limit: lead.limit === "–" ? "" : `${lead.limit}${unit}`,
+    more: lead.verdict === "met" || lead.verdict === "not judged" ? 0 : same - 1,
+  };
+}
 
 export const KINDS: [ModelKind, string][] = [
   ["scenario", "Scenarios"],
@@ -49,17 +78,29 @@ export function numbers(run: RunEntry): [string, string, string][] {
   ];
 }
 
+/** The line of a run; of lines of one name that differ, which version it is, the oldest first. */
+function lineOf(run: RunEntry, others: readonly RunEntry[]): string {
+  const oldest = [...others].sort((a, b) => (a.created ?? "").localeCompare(b.created ?? ""));
+  const versions = [...new Set(oldest.filter((one) => one.line === run.line).map((one) => one.line_digest))];
+  const which = versions.length > 1 ? `, version ${versions.indexOf(run.line_digest) + 1} of ${versions.length}` : "";
+  return `line ${run.line}${which}`;
+}
+
 /**
  * Name of each run and what tells it from the others. Fields that all runs set to the same value are left
- * out, and what is recorded: it changes no number.
+ * out, and what is recorded: it changes no number. Of runs that no field tells apart the line is told,
+ * where it differs.
  */
 export function differences(runs: readonly RunEntry[]): [string, string][] {
   const fields = [...new Set(runs.flatMap((run) => Object.keys(run.changes)))].filter((field) => !field.startsWith("output."));
   const differs = runs.length < 2 ? fields : fields.filter((field) => new Set(runs.map((run) => run.changes[field])).size > 1);
-  return runs.map((run) => [
-    run.name ?? run.path,
-    differs.map((field) => `${field} ${run.changes[field] ?? "as in the file"}`).join(", "),
-  ]);
+  return runs.map((run) => {
+    const told = differs.filter((field) => field in run.changes).map((field) => `${field} ${run.changes[field]}`);
+    const alike = runs.filter((one) => one.name === run.name && differs.every((field) => one.changes[field] === run.changes[field]));
+    if (run.line !== null && alike.some((one) => one.line_digest !== run.line_digest)) told.push(lineOf(run, alike));
+    const asInFile = runs.some((one) => one !== run && one.name === run.name && !alike.includes(one));
+    return [run.name ?? run.path, told.join(", ") || (asInFile ? "as in the file" : "")];
+  });
 }
 
 /** Whether name and description of a model have all words in them. */

@@ -3,8 +3,8 @@ import { decimals } from "../charts/numbers.ts";
 import { useAnswer } from "./answer.ts";
 import { askExplanation, askFigure, askRun } from "./asking.ts";
 import { FigureSections } from "./FigureSections.tsx";
-import { RunList } from "./RunList.tsx";
-import { Nothing, Refusal, Waiting } from "./State.tsx";
+import { NoRun } from "./RunList.tsx";
+import { Refusal, Waiting } from "./State.tsx";
 import type { Explanation as Explained, Figures, Place } from "./told.ts";
 import { shownRun, versionOf } from "./which.ts";
 import { goTo } from "./place.ts";
@@ -90,14 +90,7 @@ export function Explanation() {
     explained: await askExplanation(run!, signal),
     figures: await askRun(run!, signal),
   })).value;
-  if (run === null) {
-    return (
-      <Nothing>
-        <p>No run is chosen. Tick one, and this says why its σ is as it is.</p>
-        <RunList />
-      </Nothing>
-    );
-  }
+  if (run === null) return <NoRun then="this says why its σ is as it is." />;
   if (found.complaint) return <Refusal complaint={found.complaint} what={`σ of ${run} cannot be explained`} />;
   if (found.waiting || !found.value) return <Waiting what={run} />;
   const { explained, figures } = found.value;

@@ -4,23 +4,32 @@ import { useEffect } from "preact/hooks";
 import { ask } from "../connection/http.ts";
 import { complain } from "../shell/messages.ts";
 import { jobs, type Job } from "../state/jobs.ts";
-import { scenario, source } from "../state/selection.ts";
+import { project, type ProjectView } from "../state/project.ts";
+import { source } from "../state/selection.ts";
+import { told } from "../state/subject.ts";
 import { Nothing } from "./State.tsx";
 import { entryOf } from "./which.ts";
 
 /** What is ordered: the scenario with the changes of the run, and its motion. */
 export function order(path: string, changes: Record<string, string>) {
-  return { scenario: path, changes: { ...changes, "output.motion": true }, record_motion: true };
+  return { scenario: path, changes: { ...changes, "output.motion": true }, record_motion: true, keep_both: true };
+}
+
+/** Path of the scenario of a name, in the folder or else in the library; `null` where it is gone. */
+export function scenarioNamed(name: string | null | undefined, view: ProjectView | null): string | null {
+  const all = [...(view?.models ?? []), ...(view?.library ?? [])];
+  return all.find((one) => one.kind === "scenario" && one.name === name)?.path ?? null;
 }
 
 export function MotionOffer({ run }: { run: string }) {
   const job = useSignal<string | null>(null);
   const found = jobs.value.find((one) => one.id === job.value);
-  const chosen = scenario.value;
+  const entry = entryOf(run);
+  const path = scenarioNamed(entry?.name, project.value);
   const begin = async (): Promise<void> => {
-    if (chosen === null) return;
+    if (path === null) return;
     try {
-      const body = order(chosen, entryOf(run)?.changes ?? {});
+      const body = order(path, entry?.changes ?? {});
       job.value = (await ask<{ job: Job }>("runs", { body })).job.id;
     } catch (error) {
       complain(error);
@@ -36,10 +45,12 @@ export function MotionOffer({ run }: { run: string }) {
         <p role="status">Running with its motion recorded, {Math.round(100 * found.fraction)} %</p>
       ) : (
         <p>
-          <button disabled={chosen === null} onClick={() => void begin()}>
+          <button disabled={path === null} onClick={() => void begin()}>
             Run again with its motion
           </button>{" "}
-          {chosen === null ? "Choose its scenario at the top first." : `of ${chosen}, with the changes of this run`}
+          {path === null
+            ? `The scenario ${entry?.name ?? "of this run"} is no longer in this folder.`
+            : `${told(path)} as it is now, with the changes of this run; this run stays.`}
         </p>
       )}
       {found?.error && <p role="alert">{found.error.text}</p>}

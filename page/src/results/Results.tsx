@@ -2,8 +2,8 @@
 import { FigureSections } from "./FigureSections.tsx";
 import { useAnswer } from "./answer.ts";
 import { askFigure, askRun } from "./asking.ts";
-import { RunList } from "./RunList.tsx";
-import { Nothing, Refusal, Waiting } from "./State.tsx";
+import { NoRun } from "./RunList.tsx";
+import { Refusal, Waiting } from "./State.tsx";
 import type { Assessed, Criterion, NumberRow } from "./told.ts";
 import { shownRun, versionOf } from "./which.ts";
 import "./results.css";
@@ -144,14 +144,7 @@ export function Results() {
   const run = shownRun.value;
   const version = run === null ? "" : versionOf([run]);
   const { value, waiting, complaint } = useAnswer(run === null ? null : version, (signal) => askRun(run!, signal)).value;
-  if (run === null) {
-    return (
-      <Nothing>
-        <p>No run is chosen. Tick one, or press Run for a new one.</p>
-        <RunList />
-      </Nothing>
-    );
-  }
+  if (run === null) return <NoRun then="its verdict, criteria, numbers and figures stand here." />;
   if (complaint) return <Refusal complaint={complaint} what={`The run ${run} cannot be shown`} />;
   if (waiting || !value) return <Waiting what={run} />;
   return (

@@ -5,11 +5,12 @@
 import { useSignal } from "@preact/signals";
 import { useEffect, useMemo, useRef } from "preact/hooks";
 import { ScaleKey } from "../charts/ScaleKey.tsx";
+import { colour } from "../charts/colours.ts";
 import { decimals } from "../charts/numbers.ts";
 import { scaleOf } from "./paint.ts";
 import { SpaceTimeView } from "./spaceTimeView.ts";
-import { RunList } from "./RunList.tsx";
-import { Nothing, Refusal } from "./State.tsx";
+import { NoRun } from "./RunList.tsx";
+import { Refusal } from "./State.tsx";
 import { MotionOffer } from "./MotionOffer.tsx";
 import { shownRun, versionOf } from "./which.ts";
 import "../charts/charts.css";
@@ -17,14 +18,7 @@ import "./results.css";
 
 export function SpaceTime() {
   const run = shownRun.value;
-  if (run === null) {
-    return (
-      <Nothing>
-        <p>No run is chosen. Tick one whose motion was recorded.</p>
-        <RunList />
-      </Nothing>
-    );
-  }
+  if (run === null) return <NoRun then="the motion of its wires is shown over position and time." />;
   return <View key={versionOf([run])} run={run} />;
 }
 
@@ -33,7 +27,7 @@ function View({ run }: { run: string }) {
   const waves = useSignal(true);
   const view = useMemo(() => new SpaceTimeView(run, waves), []);
   useEffect(() => view.start(canvas.current!), []);
-  const { shown, complaint, absent, readout, zoomed } = view;
+  const { shown, complaint, absent, readout, waiting, zoomed } = view;
   const about = shown.value?.about;
   const told = absent.value || complaint.value !== null;
   return (
@@ -42,14 +36,18 @@ function View({ run }: { run: string }) {
     {complaint.value && <Refusal complaint={complaint.value} what={`The motion of ${run} cannot be shown`} />}
     <div class="space-time" hidden={told}>
       <div class="bar">
+        {!about && <span role="status">Loading the motion of {run} …</span>}
         <label>
           <input type="checkbox" checked={waves.value} onChange={(event) => (waves.value = event.currentTarget.checked)} /> fronts at
           the wave speed{about?.wave_speed ? `, ${decimals(about.wave_speed, 1)} m/s` : ""}
         </label>
         {zoomed.value && <button onClick={() => view.reset()}>Show all</button>}
         {about?.paths.map((path) => (
-          <span key={path.name}>{path.name}</span>
+          <span key={path.name}>
+            <i class="key" style={{ background: colour(path.colour) }} aria-hidden="true" /> {path.name}
+          </span>
         ))}
+        <span class="soft" role="status">{waiting.value ? (about ? "Loading this part …" : "Loading the recorded motion …") : ""}</span>
       </div>
       <canvas
         ref={canvas}

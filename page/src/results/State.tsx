@@ -1,6 +1,7 @@
 /** What a panel shows in place of an answer: nothing chosen, waiting, or why there is none. */
 import type { ComponentChildren } from "preact";
 import type { Complaint } from "../connection/http.ts";
+import { below } from "../state/project.ts";
 
 export function Nothing({ children }: { children: ComponentChildren }) {
   return <div class="nothing">{children}</div>;
@@ -9,7 +10,7 @@ export function Nothing({ children }: { children: ComponentChildren }) {
 export function Waiting({ what }: { what: string }) {
   return (
     <p class="nothing" role="status">
-      Reading {what}
+      Loading {what} …
     </p>
   );
 }
@@ -21,7 +22,7 @@ export function Refusal({ complaint, what }: { complaint: Complaint; what: strin
       <p>
         <strong>{what}</strong>
       </p>
-      <p>{complaint.text}</p>
+      <p>{below(complaint.text)}</p>
     </div>
   );
 }

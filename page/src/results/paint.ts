@@ -2,10 +2,12 @@
 import { colour } from "../charts/colours.ts";
 import type { Scale } from "../charts/figure.ts";
 import { imageOf } from "../charts/image.ts";
-import { stepped } from "../charts/numbers.ts";
+import { decimals, stepped } from "../charts/numbers.ts";
 import { placesOf, ticks, type About, type Frame, type Part } from "./view.ts";
 
 const MARGIN = { left: 62, right: 14, top: 10, bottom: 44 };
+/** A path is named at this share of what is seen of it. */
+const NAMED = 0.8;
 /** Of the tokens; blue downwards, red upwards, told apart by those who see no green. */
 const ORDER = ["#2c5aa0", "#6f9bd1", "#b9d0e8", "#f2f2f2", "#f2c4a8", "#dd8452", "#a4431c"];
 
@@ -74,6 +76,39 @@ function lines(at: CanvasRenderingContext2D, ink: string, width: number, dash: n
   at.setLineDash([]);
 }
 
+/** A name beside a line, on paper of its own: the map below has all colours. */
+function name(at: CanvasRenderingContext2D, text: string, x: number, y: number, frame: Frame): void {
+  const width = at.measureText(text).width + 8;
+  const left = Math.min(Math.max(x, frame.left + 2), frame.left + frame.width - width - 2);
+  at.fillStyle = colour("paper");
+  at.fillRect(left, y - 9, width, 18);
+  at.fillStyle = colour("ink");
+  at.fillText(text, left + 4, y);
+}
+
+/** Names at the lines: each path near its upper end, the wave speed at the longest front that is seen. */
+function names(at: CanvasRenderingContext2D, part: Part, about: About, waves: boolean, frame: Frame): void {
+  const places = placesOf(part, frame);
+  at.font = `12px ${getComputedStyle(document.body).fontFamily}`;
+  at.textAlign = "left";
+  at.textBaseline = "middle";
+  about.paths.forEach((path, number) => {
+    const seen = path.x.map((x, k): [number, number] => [places.x(x), places.t(path.t[k]!)]).filter(isIn(frame));
+    // Paths of several pantographs are close to one another: their names stand one below the other.
+    const [x, y] = seen[Math.floor(NAMED * (seen.length - 1))] ?? [];
+    if (x !== undefined) name(at, path.name, x + 8, y! + 20 * number, frame);
+  });
+  if (!waves || !about.wave_speed) return;
+  const middles = about.fronts.map(([x0, t0, x1, t1]): [number, number, number] => [
+    (places.x(x0) + places.x(x1)) / 2, (places.t(t0) + places.t(t1)) / 2, Math.abs(places.x(x1) - places.x(x0)),
+  ]);
+  const [x, y] = middles.filter(([a, b]) => isIn(frame)([a, b])).sort((a, b) => b[2] - a[2])[0] ?? [];
+  if (x !== undefined) name(at, `wave speed ${decimals(about.wave_speed, 1)} m/s`, x + 8, y! + 12, frame);
+}
+
+const isIn = ({ left, top, width, height }: Frame) => ([x, y]: [number, number]): boolean =>
+  x >= left && x <= left + width && y >= top && y <= top + height;
+
 /** Draw a part; the image may be of another one, from before a zoom. */
 export function paint(canvas: HTMLCanvasElement, part: Part, shown: Shown | null, marks: Marks): void {
   const ratio = devicePixelRatio;
@@ -128,4 +163,5 @@ function inside(at: CanvasRenderingContext2D, part: Part, { about, values }: Sho
       lines(at, ink, width, [], () => path.x.forEach((x, k) => at.lineTo(places.x(x), places.t(path.t[k]!))));
     }
   }
+  names(at, part, about, marks.waves, frame);
 }

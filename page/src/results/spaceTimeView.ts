@@ -25,6 +25,8 @@ export class SpaceTimeView {
   /** The motion was not recorded. */
   readonly absent = signal(false);
   readonly readout = signal("");
+  /** The part that is shown was asked for, and is not here. */
+  readonly waiting = signal(true);
   readonly zoomed = signal(false);
   private readonly part = signal<Part | null>(null);
   private canvas: HTMLCanvasElement | null = null;
@@ -50,14 +52,17 @@ export class SpaceTimeView {
 
   /** Ask for the part that is shown. */
   async ask(): Promise<void> {
+    this.waiting.value = true;
     try {
       const found = await this.answer(this.part.peek());
       if (found === undefined) return; // another question followed
+      this.waiting.value = false;
       this.absent.value = found === null;
       if (!found) return;
       this.shown.value = found;
       if (!this.part.peek()) this.part.value = { x: found.about.x, t: found.about.t };
     } catch (error) {
+      this.waiting.value = false;
       this.complaint.value = error instanceof RefusedError ? error.complaint : { text: "The server did not answer." };
     }
   }
@@ -101,7 +106,7 @@ export class SpaceTimeView {
 
   private draw(): void {
     const marks = { waves: this.waves.peek(), time_s: clock.time_s.peek(), cursor_m: cursor.peek() };
-    if (this.canvas) paint(this.canvas, this.part.peek() ?? ALL, this.shown.peek(), marks);
+    if (this.canvas && this.shown.peek()) paint(this.canvas, this.part.peek() ?? ALL, this.shown.peek(), marks);
   }
 
   private later(): void {

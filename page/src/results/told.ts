@@ -4,6 +4,7 @@ import type { Section } from "../charts/figure.ts";
 export type State = "met" | "missed" | "open";
 
 export interface Criterion {
+  name: string;
   title: string;
   pantograph: string;
   value: string;
@@ -26,6 +27,8 @@ export interface Assessed {
   description: string;
   identity: [string, string][];
   verdict: { state: State; sign: string; text: string; rest: string; items: string[] };
+  /** The criterion behind the verdict; null where none has a value and a limit. */
+  leading: Criterion | null;
   worst: string;
   criteria: Criterion[];
   marks: Record<string, string>;

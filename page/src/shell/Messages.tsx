@@ -21,6 +21,11 @@ function One({ told }: { told: Told }) {
       <p>
         <span class="unseen">{word}: </span>
         {told.text}
+        {told.action && (
+          <button class="plain" onClick={() => (dismiss(told.id), told.action!.act())}>
+            {told.action.label}
+          </button>
+        )}
       </p>
       <button class="quiet" aria-label="Dismiss" onClick={() => dismiss(told.id)}>
         ×

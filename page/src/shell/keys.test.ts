@@ -45,4 +45,19 @@ describe("commands of keys", () => {
     press(document.querySelector("button")!, "f");
     expect(act).toHaveBeenCalledTimes(2);
   });
+
+  it("leaves Space to a button that was reached by keys, and takes it after a click", () => {
+    const act = vi.fn();
+    addCommand({ id: "a", title: "A", keys: ["Space"], act });
+    followKeys();
+    document.body.innerHTML = "<button>b</button>";
+    const button = document.querySelector("button")!;
+    const press = () => button.dispatchEvent(new KeyboardEvent("keydown", { key: " ", bubbles: true, cancelable: true }));
+    button.focus();
+    press();
+    expect(act).toHaveBeenCalledTimes(0);
+    button.dispatchEvent(new PointerEvent("pointerdown", { bubbles: true }));
+    press();
+    expect(act).toHaveBeenCalled();
+  });
 });

@@ -15,6 +15,11 @@ export function nameOf(event: Pick<KeyboardEvent, "key" | "ctrlKey" | "metaKey" 
   ].join("+");
 }
 
+/** The button that has the focus because it was pressed with the pointer: nobody means it by Space. */
+let pointed: Element | null = null;
+
+const BUTTONS = "button, a, summary, [role=tab]";
+
 /** What a key does where the focus is: in a field it types, on a button Space and Enter press it. */
 function isTaken(event: KeyboardEvent, name: string): boolean {
   const at = event.target instanceof Element ? event.target : null;
@@ -23,7 +28,8 @@ function isTaken(event: KeyboardEvent, name: string): boolean {
   if (isText(at) || at?.closest("select")) return true;
   if (at?.closest("input[type=range], [role=slider], [role=separator]")) return /Arrow|Home|End|Page/.test(name);
   if (at?.closest("[role=tab], [role=treeitem], [role=tablist]") && /Arrow|Home|End/.test(name)) return true;
-  return (name === "Space" || name === "Enter") && !!at?.closest("button, a, summary, input, [role=tab]");
+  const button = at?.closest(`${BUTTONS}, input`);
+  return (name === "Enter" || (name === "Space" && button !== pointed)) && !!button;
 }
 
 const isText = (at: Element | null): boolean =>
@@ -35,6 +41,12 @@ export function commandOf(name: string): Command | undefined {
 }
 
 export function followKeys(): void {
+  addEventListener("pointerdown", (event) => {
+    pointed = event.target instanceof Element ? event.target.closest(BUTTONS) : null;
+  });
+  addEventListener("focusin", (event) => {
+    if (event.target !== pointed) pointed = null;
+  });
   addEventListener("keydown", (event) => {
     if (event.defaultPrevented || event.isComposing) return;
     const name = nameOf(event);

@@ -4,12 +4,17 @@
  */
 import { signal } from "@preact/signals";
 
-export type Changes = Record<string, string | number>;
+export type Changed = string | number | boolean | null | Changed[] | { [key: string]: Changed };
+export type Changes = Record<string, Changed>;
+
+/** A value in words. */
+export const written = (value: Changed): string =>
+  Array.isArray(value) ? `[${value.map(written).join(", ")}]` : typeof value === "object" && value !== null ? JSON.stringify(value) : String(value);
 
 export const changes = signal<Changes>({});
 
 /** Change a field for the next run; the value of the file takes the change back. */
-export function change(field: string, value: string | number, ofFile?: string | number | null): void {
+export function change(field: string, value: Changed, ofFile?: string | number | null): void {
   const { [field]: _, ...others } = changes.peek();
   changes.value = value === ofFile || value === "" ? others : { ...others, [field]: value };
 }

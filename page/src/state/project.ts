@@ -31,6 +31,9 @@ export interface RunEntry {
   reason: string | null;
   name: string | null;
   created: string | null;
+  /** Name of its line, and a digest of what that says. */
+  line: string | null;
+  line_digest: string | null;
   speed_m_s: number | null;
   changes: Record<string, string>;
   pantographs: MainNumbers[];
@@ -63,6 +66,12 @@ export interface ProjectView {
 }
 
 export const project = signal<ProjectView | null>(null);
+
+/** A text of the server with paths as the project has them, below its folder. */
+export function below(text: string): string {
+  const folder = project.peek()?.folder;
+  return folder ? text.replaceAll(`${folder}/`, "") : text;
+}
 
 export async function readProject(): Promise<void> {
   project.value = await ask<ProjectView>("project");

@@ -2,6 +2,8 @@
 import { useEffect, useRef } from "preact/hooks";
 import { LEFT, RIGHT, ticks } from "../drawing/camera.ts";
 import { useCanvas } from "../drawing/canvas.ts";
+import { cursor } from "../state/selection.ts";
+import { scaleOf } from "./scale.ts";
 
 export interface Series {
   x: readonly number[];
@@ -20,10 +22,8 @@ interface ChartProps {
 
 const TOP = 8;
 const BOTTOM = 20;
-/** Free above and below the values, as a share of their range. */
-const MARGIN = 0.08;
-/** The smallest range of values, as a share of the largest: noise is not blown up. */
-const LEAST = 1e-3;
+/** Between two ticks in px, at least. */
+const APART = 26;
 
 export function Chart({ title, unit, now, before, marks = false }: ChartProps) {
   const canvas = useRef<HTMLCanvasElement>(null);
@@ -34,9 +34,8 @@ export function Chart({ title, unit, now, before, marks = false }: ChartProps) {
     const { now, before } = data.current;
     if (now.x.length < 2) return;
     const values = [...now.y, ...(before?.y ?? [])];
-    const [low, high] = [Math.min(...values), Math.max(...values)];
-    const room = Math.max(high - low, LEAST * Math.abs(high), 1e-9) * (1 + 2 * MARGIN);
-    const base = (low + high - room) / 2;
+    const scale = scaleOf(values, Math.floor((height - TOP - BOTTOM) / APART));
+    const [base, room] = [scale.low, scale.high - scale.low];
     const [x0, x1] = [now.x[0]!, now.x.at(-1)!];
     const px = (x: number) => LEFT + ((x - x0) / (x1 - x0 || 1)) * (width - LEFT - RIGHT);
     const py = (y: number) => TOP + (1 - (y - base) / room) * (height - TOP - BOTTOM);
@@ -45,7 +44,7 @@ export function Chart({ title, unit, now, before, marks = false }: ChartProps) {
     context.strokeStyle = colour("grid");
     context.textBaseline = "middle";
     context.textAlign = "left";
-    for (const y of ticks(base, base + room, (room * 26) / Math.max(height - TOP - BOTTOM, 1))) {
+    for (const y of scale.ticks) {
       context.beginPath();
       context.moveTo(LEFT - 4, py(y));
       context.lineTo(width - RIGHT, py(y));
@@ -70,15 +69,29 @@ export function Chart({ title, unit, now, before, marks = false }: ChartProps) {
     };
     if (before) draw(before, "rest", marks ? 2 : 1);
     draw(now, "accent", marks ? 2.5 : 2);
+    const at = cursor.value;
+    if (at === null || at < x0 || at > x1) return;
+    context.strokeStyle = colour("accent");
+    context.lineWidth = 1;
+    context.beginPath();
+    context.moveTo(px(at), TOP);
+    context.lineTo(px(at), height - BOTTOM);
+    context.stroke();
   }, paint);
   useEffect(() => paint.current());
+  const point = (event: PointerEvent) => {
+    const { x } = data.current.now;
+    const width = (event.currentTarget as HTMLElement).clientWidth - LEFT - RIGHT;
+    const share = (event.offsetX - LEFT) / Math.max(width, 1);
+    if (x.length > 1 && share >= 0 && share <= 1) cursor.value = x[0]! + share * (x.at(-1)! - x[0]!);
+  };
   const range = now.y.length ? `${Math.min(...now.y).toPrecision(4)} to ${Math.max(...now.y).toPrecision(4)} ${unit}` : "";
   return (
     <figure class="chart">
       <figcaption>
         {title} ({unit})
       </figcaption>
-      <canvas ref={canvas} role="img" aria-label={`${title}: ${range}`} />
+      <canvas ref={canvas} role="img" aria-label={`${title}: ${range}`} onPointerMove={point} />
     </figure>
   );
 }

@@ -1,12 +1,18 @@
 /** The line at rest in numbers, which follow sliders; the file changes when that is asked for. */
-import { signal } from "@preact/signals";
+import { computed, signal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import type { Complaint } from "../connection/http.ts";
 import { wrong } from "../drawing/scene.ts";
 import { kind, opened, writable } from "../editor/documents.ts";
 import { followForm, form } from "../editor/formData.ts";
 import { patch } from "../editor/patch.ts";
+import { canRun, run } from "../project/running.ts";
+import { fields as scenarioFields } from "../project/scenarioFields.ts";
 import { complain, say } from "../shell/messages.ts";
+import { show } from "../shell/panels.ts";
+import { changes } from "../state/changes.ts";
+import { lineOf } from "../state/lineOf.ts";
+import { file, scenario } from "../state/selection.ts";
 import { askPart, frequencies, isAsking, isTrying, now, ofFile, tried, wanted, type AtRest } from "./asking.ts";
 import { Chart } from "./Chart.tsx";
 import { fieldsOf, firstSliders, numbersOf, PRESAG, presagScale, sliderBy, written, type Slider } from "./sliders.ts";
@@ -49,6 +55,30 @@ async function write(): Promise<void> {
     complain(error);
   }
 }
+
+/** What is tried, as changes of the scenario that is run; null where that has another line. */
+const asChanges = computed(() => {
+  const [path, base] = [opened.value?.path, scenario.value];
+  if (path === undefined || base === null) return null;
+  const own = Object.entries(tried.value);
+  if (kind.value === "scenario") return path === base ? Object.fromEntries(own.map(([field, value]) => [field.replace(/^set\./, ""), value])) : null;
+  const line = scenarioFields.value?.path === base ? scenarioFields.value.line : null;
+  return line !== null && lineOf(base, line) === path ? Object.fromEntries(own.map(([field, value]) => [`line.${field}`, value])) : null;
+});
+
+/** Run the scenario with what is tried; no file is changed. */
+async function runVariant(): Promise<void> {
+  changes.value = { ...changes.peek(), ...asChanges.peek() };
+  show("drawing");
+  await run();
+}
+
+/** The line of the scenario that is edited; null where it does not name one. */
+const named = computed(() => {
+  const path = opened.value?.path;
+  const typed = groups().flatMap(({ fields }) => fields).find(({ field }) => field === "line")?.typed;
+  return path !== undefined && typeof typed === "string" ? lineOf(path, typed) : null;
+});
 
 async function download(): Promise<void> {
   try {
@@ -159,7 +189,10 @@ function Sliders() {
         );
       })}
       {!sliders.length && kind.value === "scenario" && (
-        <p class="empty">This scenario names its line. Open the line to move its tensions, pre-sag and droppers.</p>
+        <p class="empty">
+          This scenario names its line, which has the tensions, pre-sag and droppers.{" "}
+          {named.value !== null && <button onClick={() => (file.value = named.value)}>Open the line</button>}
+        </p>
       )}
       <p class="acts">
         <label>
@@ -175,6 +208,11 @@ function Sliders() {
         <button onClick={() => void write()} disabled={!isChanged || !writable.value}>
           Write to file
         </button>
+        {asChanges.value !== null && (
+          <button onClick={() => void runVariant()} disabled={!isChanged || !canRun.value} title="The scenario with these values; no file is changed">
+            Run as variant
+          </button>
+        )}
         <button onClick={reset} disabled={!isChanged}>
           Reset
         </button>

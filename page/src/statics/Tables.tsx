@@ -1,10 +1,19 @@
 /** Droppers of a span, and supports, with what changed against the file. Numbers are in SI but mm. */
-import { signal } from "@preact/signals";
-import { selected } from "../state/selection.ts";
+import { computed } from "@preact/signals";
+import { cursor, selected } from "../state/selection.ts";
 import { now, ofFile, type DropperRow } from "./asking.ts";
 
-/** The span whose droppers are listed; null: that in the middle. */
-export const listed = signal<number | null>(null);
+/** The dropper that is nearest to the cursor, whichever view it is moved in. */
+const atCursor = computed(() => {
+  const [at, droppers] = [cursor.value, now.value?.droppers ?? []];
+  if (at === null || !droppers.length) return null;
+  return droppers.reduce((best, one) => (Math.abs(one.x_m - at) < Math.abs(best.x_m - at) ? one : best));
+});
+
+function choose({ name, x_m }: DropperRow): void {
+  selected.value = { kind: "dropper", name, x_m };
+  cursor.value = x_m;
+}
 
 /** A difference with its sign; nothing where there is none to the last digit shown. */
 export function difference(value: number | null | undefined, before: number | null | undefined, digits: number): string {
@@ -21,7 +30,11 @@ export function DropperTable() {
   const [found, before] = [now.value, ofFile.value];
   if (!found?.droppers?.length) return <p class="empty">This line has no droppers.</p>;
   const spans = [...new Set(found.droppers.map((one) => one.span))];
-  const span = listed.value !== null && spans.includes(listed.value) ? listed.value : found.middle_span;
+  const span = atCursor.value?.span ?? found.middle_span;
+  const list = (wanted: number) => {
+    const first = found.droppers?.find((one) => one.span === wanted);
+    if (first) cursor.value = first.x_m;
+  };
   const own = found.droppers.filter((one) => one.span === span);
   const old = new Map((before?.droppers ?? []).map((one): [string, DropperRow] => [one.name, one]));
   const changed = before !== found && before !== null;
@@ -29,7 +42,7 @@ export function DropperTable() {
     <section aria-label="Droppers">
       <label>
         Droppers of span{" "}
-        <select value={String(span)} onChange={(event) => (listed.value = Number(event.currentTarget.value))}>
+        <select value={String(span)} onChange={(event) => list(Number(event.currentTarget.value))}>
           {spans.map((one) => (
             <option key={one} value={String(one)}>
               {one}
@@ -55,12 +68,9 @@ export function DropperTable() {
               const was = old.get(one.name);
               const isIt = selected.value?.kind === "dropper" && selected.value.name === one.name;
               return (
-                <tr key={one.name} aria-selected={isIt} class={one.force_N === 0 ? "slack" : ""}>
+                <tr key={one.name} aria-selected={isIt} class={`${one.force_N === 0 ? "slack" : ""} ${atCursor.value?.name === one.name ? "at-cursor" : ""}`}>
                   <th scope="row">
-                    <button
-                      class="plain"
-                      onClick={() => (selected.value = { kind: "dropper", name: one.name, x_m: one.x_m })}
-                    >
+                    <button class="plain" onClick={() => choose(one)}>
                       {one.name}
                     </button>
                   </th>

@@ -9,7 +9,7 @@ import type { Geometry, Handles } from "../drawing/geometry.ts";
 import { edited, handles, isDraft, isTried, showing, wrong } from "../drawing/scene.ts";
 import { kindOf, opened, text } from "../editor/documents.ts";
 import type { Value } from "../editor/patch.ts";
-import { project } from "../state/project.ts";
+import { below } from "../state/project.ts";
 
 export interface DropperRow {
   name: string;
@@ -87,12 +87,16 @@ interface Question {
   changes: Changes;
   want: string[];
   draft: boolean;
+  /** Whether a slider moves: the line is searched for from the one before. */
+  moving: boolean;
 }
 
 let count = 0;
 let shownNumber = 0;
-/** How long the last line took, in ms, whose numbers were asked for alone. */
+/** How long the last line took while a slider moved, in ms, where no other was asked for beside it. */
 let took = 0;
+/** What is left of that when the slider rests: a machine that was busy once may be free again. */
+const FORGOTTEN = 0.5;
 let running = 0;
 let waiting: Question | null = null;
 
@@ -118,7 +122,7 @@ function next(): void {
   running++;
   isAsking.value = true;
   const [mine, begun] = [count + 1, performance.now()];
-  const alone = running === 1 && !question.draft && question.want.length > 1;
+  const alone = running === 1 && !question.draft && question.moving;
   put(question)
     .then(
       (answer) => {
@@ -138,7 +142,7 @@ function next(): void {
 function take(question: Question, answer: AtRest, number: number): void {
   if (question.path !== opened.peek()?.path || answer.dropped) return;
   shownNumber = number;
-  wrong.value = answer.errors[0] ? below(answer.errors[0]) : null;
+  wrong.value = answer.errors[0] ? { ...answer.errors[0], text: below(answer.errors[0].text) } : null;
   if (wrong.value) return;
   if (answer.line) {
     handles.value = answer.handles ?? null;
@@ -150,12 +154,6 @@ function take(question: Question, answer: AtRest, number: number): void {
   frequencies.value = null;
   now.value = answer;
   if (!answer.draft && !Object.keys(question.changes).length) ofFile.value = answer;
-}
-
-/** A complaint with paths as the project has them, below its folder. */
-function below(complaint: Complaint): Complaint {
-  const folder = project.peek()?.folder;
-  return folder ? { ...complaint, text: complaint.text.replaceAll(`${folder}/`, "") } : complaint;
 }
 
 /** Whatever takes long, once slider and keys rest. */
@@ -196,14 +194,15 @@ export function followLine(): () => void {
       before = { path, text: content, changes };
       return;
     }
-    const question = { path, text: content, changes, want: numbers ? NUMBERS : ["line"], draft: false };
+    const question = { path, text: content, changes, want: numbers ? NUMBERS : ["line"], draft: false, moving: false };
     const isMoved = changes !== before.changes && numbers;
     before = { path, text: content, changes };
     const quick = { ...question, want: isMoved ? NUMBERS.slice(1) : ["line"] };
     const isQuick = isTyped || isMoved;
-    follow(isQuick ? { ...quick, draft: isTyped || took > SLOW } : question);
+    follow(isQuick ? { ...quick, draft: isTyped || took > SLOW, moving: isMoved } : question);
     timer = setTimeout(() => {
       if (isQuick) follow(question);
+      took *= FORGOTTEN;
       if (numbers) void rested(question);
     }, REST);
   });

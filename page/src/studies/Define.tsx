@@ -2,11 +2,14 @@
 import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { subject, told as named } from "../state/subject.ts";
-import { followDefinition, save, saving, told } from "./asking.ts";
+import { anotherName, followDefinition, save, saving, told, toldOf } from "./asking.ts";
 import {
-  change, columnName, definition, design, DESIGNS, estimate, expressions, fields, isSample, leave, name, OUTPUTS, outputs, size, varied, vary,
-  type Design, type How, type Varied,
+  change, columnName, definition, estimate, expressions, fields, fileOf, isCounted, leave, name, outputs, varied, vary, way,
+  type How, type Varied,
 } from "./defining.ts";
+import { Combinations } from "./Combinations.tsx";
+import { capital } from "./columns.ts";
+import { ErrorAt, errorAt } from "./ErrorAt.tsx";
 import { face } from "./vary.ts";
 
 function FieldList() {
@@ -37,11 +40,12 @@ function FieldList() {
 }
 
 function OneVaried({ own }: { own: Varied }) {
-  const sample = isSample(design.value);
+  const isWhole = isCounted(way.value);
+  const isWrong = errorAt("variables", own.name) !== null;
   const typed = (part: "low" | "high" | "mean" | "deviation" | "values", label: string) => (
     <label>
       {label}{" "}
-      <input value={own[part]} size={part === "values" ? 22 : 8} onInput={(event) => change(own.field, { [part]: event.currentTarget.value })} />
+      <input value={own[part]} aria-invalid={isWrong} size={part === "values" ? 22 : 8} onInput={(event) => change(own.field, { [part]: event.currentTarget.value })} />
     </label>
   );
   return (
@@ -56,14 +60,14 @@ function OneVaried({ own }: { own: Varied }) {
         <select aria-label={`How ${own.name} is varied`} value={own.how} onChange={(event) => change(own.field, { how: event.currentTarget.value as How })}>
           <option value="range">range</option>
           <option value="values">values</option>
-          {sample && <option value="normal">normal distribution</option>}
+          {isWhole && <option value="normal">normal distribution</option>}
         </select>
-        {own.how === "values" ? typed("values", "apart by commas") : own.how === "normal" && sample ? (
+        {own.how === "values" ? typed("values", "apart by commas") : own.how === "normal" && isWhole ? (
           <>{typed("mean", "mean")}{typed("deviation", "standard deviation")}</>
         ) : (
           <>
             {typed("low", "from")}{typed("high", "to")}
-            {!sample && (
+            {!isWhole && (
               <label>
                 values{" "}
                 <input type="number" min={2} max={1000} value={own.count} onChange={(event) => change(own.field, { count: Math.max(2, Math.round(event.currentTarget.valueAsNumber) || 2) })} />
@@ -73,6 +77,7 @@ function OneVaried({ own }: { own: Varied }) {
         )}
         <span class="unit">{own.unit}</span>
       </span>
+      <ErrorAt place={["variables", own.name]} />
     </li>
   );
 }
@@ -89,9 +94,10 @@ function Outputs() {
   return (
     <fieldset class="outputs">
       <legend>What comes out</legend>
-      {OUTPUTS.map(([key, label]) => (
-        <label key={key}>
-          <input type="checkbox" checked={outputs.value.includes(key)} onChange={(event) => tick(key, event.currentTarget.checked)} /> {label}
+      {(fields.value?.outputs ?? []).map(({ key, label, unit }) => (
+        <label key={key} title={key}>
+          <input type="checkbox" checked={outputs.value.includes(key)} onChange={(event) => tick(key, event.currentTarget.checked)} />{" "}
+          {capital(label)}{unit && `, ${unit}`}
         </label>
       ))}
       {expressions.value.map((one) => (
@@ -105,26 +111,8 @@ function Outputs() {
           onInput={(event) => (own.value = event.currentTarget.value)} onKeyDown={(event) => event.key === "Enter" && add()} />
         <button onClick={add} disabled={!own.value.trim()}>Add</button>
       </span>
+      <ErrorAt place={["outputs"]} />
     </fieldset>
-  );
-}
-
-function Combinations() {
-  return (
-    <div class="bar">
-      <label>
-        Design{" "}
-        <select value={design.value} onChange={(event) => (design.value = event.currentTarget.value as Design)}>
-          {Object.entries(DESIGNS).map(([kind, label]) => <option key={kind} value={kind}>{label}</option>)}
-        </select>
-      </label>
-      {isSample(design.value) && (
-        <label>
-          variants{" "}
-          <input type="number" min={1} max={1_000_000} value={size.value} onChange={(event) => (size.value = Math.max(1, Math.round(event.currentTarget.valueAsNumber) || 1))} />
-        </label>
-      )}
-    </div>
   );
 }
 
@@ -133,20 +121,48 @@ function Verdict() {
   const list = fields.value;
   if (!definition.value || !found || !list) return <p class="soft" role="status">Tick at least one field and one output.</p>;
   const [error] = found.errors;
-  if (error) return <p class="problem" role="status">{error.text}</p>;
-  return <p role="status"><strong>{found.count} variants</strong>, {estimate(found.count ?? 0, list)}.</p>;
+  if (error) {
+    return PLACES.some((place) => errorAt(...place) !== null)
+      ? <p class="soft" role="status">What is wrong stands above, where it is.</p>
+      : <p class="problem" role="status">{error.text}</p>;
+  }
+  return (
+    <p role="status">
+      <strong>{found.count} variants</strong>, {estimate(found.count ?? 0, list)}.
+      {found.begun === "other" && ` The study ${name.value.trim()} was begun with other values: it stays as it is.`}
+      {found.begun === null && found.changes && ` The file ${fileOf(name.value)} is there already, and will be changed.`}
+    </p>
+  );
+}
+
+/** Where the form has a place for errors. */
+const PLACES = [["variables"], ["design"], ["outputs"], ["name"]];
+
+/** What the buttons do with a name that is taken. */
+function words(): [start: string, only: string] {
+  const found = told.value;
+  if (found?.begun === "other") {
+    const free = anotherName(name.value);
+    return [`Save as ${free} and start`, `Save as ${free} only`];
+  }
+  if (found?.begun === "same") return ["Go on with it", "Save only"];
+  return found?.changes ? ["Change the file and start", "Change the file only"] : ["Save and start", "Save only"];
 }
 
 export function Define() {
   useEffect(followDefinition, []);
   if (subject.value === null) return <p class="empty">Choose a scenario on the left: a study varies its fields.</p>;
   if (!fields.value) return <p class="empty">Reading the fields of {named(subject.value)} …</p>;
-  const ready = told.value !== null && told.value.errors.length === 0 && definition.value !== null && !saving.value;
-  const start = () => void save(true).then(() => (face.value = "watch"));
+  // What the buttons say is of what stands there now.
+  const isTold = definition.value !== null && toldOf.value === definition.value;
+  const ready = isTold && told.value?.errors.length === 0 && !saving.value;
+  const start = () => void save(true).then((isSaved) => isSaved && (face.value = "watch"));
+  const [begin, only] = words();
   return (
     <div class="define">
       <div class="bar">
         <label>Name <input value={name.value} onInput={(event) => (name.value = event.currentTarget.value)} /></label>
+        <ErrorAt place={["name"]} />
         <span class="soft">Scenario: {named(subject.value)}</span>
       </div>
       <div class="halves">
@@ -157,8 +173,8 @@ export function Define() {
           <Outputs />
           <Verdict />
           <div class="bar">
-            <button class="main" disabled={!ready} onClick={start}>Save and start</button>
-            <button disabled={!ready} onClick={() => void save(false)}>Save only</button>
+            <button class="main" disabled={!ready} onClick={start}>{begin}</button>
+            <button disabled={!ready} onClick={() => void save(false)}>{only}</button>
           </div>
           {told.value && (
             <details>

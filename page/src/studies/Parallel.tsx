@@ -7,8 +7,11 @@ import { useCanvas } from "../drawing/canvas.ts";
 import { shown, type Column } from "./columns.ts";
 import { count, picked, rows } from "./open.ts";
 import { axisAt, layout, lineAt, paint, type Picture } from "./parallel.ts";
-import { axes, brush, brushes, colouredBy, columns, places } from "./selection.ts";
+import { axes, brush, brushes, colouredBy, columns, criteria, isJudged, limits, places } from "./selection.ts";
+import { SHAPES, wordsOf } from "./verdicts.ts";
 
+/** An axis has so much room in px at least: the words of its head, and two fields. */
+const NARROWEST = 92;
 /** A pointer that moved less than this, in px, clicked. */
 const CLICK = 4;
 
@@ -17,6 +20,7 @@ function picture(): Picture {
   return {
     columns: axes.value, rows, places: places.value, brushes: brushes.value, picked: picked.value,
     coloured: columns.value.find(({ name }) => name === colouredBy.value) ?? null,
+    criteria: criteria.value, limits: limits.value,
   };
 }
 
@@ -57,16 +61,33 @@ export function Parallel() {
   };
   return (
     <section class="parallel" aria-label="Parallel coordinates">
-      <div class="heads">
-        {axes.value.map((column) => (
-          <Head key={column.name} column={column} />
-        ))}
+      <div class="wide" style={{ minWidth: `${axes.value.length * NARROWEST}px` }}>
+        <div class="heads">
+          {axes.value.map((column) => (
+            <Head key={column.name} column={column} />
+          ))}
+        </div>
+        <canvas ref={canvas} role="img" onPointerDown={down} onPointerMove={move} onPointerUp={up}
+          aria-label={`Parallel coordinates: ${axes.value.length} axes, ${places.value.length} of ${count.value} rows`} />
       </div>
-      <canvas ref={canvas} role="img" onPointerDown={down} onPointerMove={move} onPointerUp={up}
-        aria-label={`Parallel coordinates: ${axes.value.length} axes, ${places.value.length} of ${count.value} rows`} />
+      {isJudged.value && <Key />}
     </section>
   );
 }
+
+/** What bars and shapes on the axes mean. */
+function Key() {
+  return (
+    <p class="soft key">
+      <span class="bar-of-limit" aria-hidden="true" /> limit
+      {Object.entries(SHAPES).map(([word, { drawn, state }]) => (
+        <span key={word}><span class={state} aria-hidden="true">{DRAWN[drawn]}</span> {word}</span>
+      ))}
+    </p>
+  );
+}
+
+const DRAWN = { circle: "●", up: "▲", down: "▼", diamond: "◆" };
 
 function Head({ column }: { column: Column }) {
   const range = brushes.value[column.name];
@@ -80,11 +101,15 @@ function Head({ column }: { column: Column }) {
   const typed = (value: number | undefined) => (value !== undefined && Number.isFinite(value) ? shown(value) : "");
   return (
     <div class="head">
-      <strong title={column.description}>{column.name}</strong> <span class="unit">{column.unit}</span>
+      <strong title={column.description}>{column.label}</strong>
+      <span class="unit">{column.unit}</span>
+      {limits.value[column.name]?.map((limit) => (
+        <span class="limit" key={limit.source} title={limit.source}><span class="unseen">Limit </span>{wordsOf(limit)}</span>
+      ))}
       <span class="ends">
-        <input aria-label={`Lowest ${column.name}`} inputMode="decimal" placeholder="from" value={typed(range?.[0])}
+        <input aria-label={`Lowest ${column.label}`} inputMode="decimal" placeholder="from" value={typed(range?.[0])}
           onChange={(event) => end(0, event.currentTarget.value)} />
-        <input aria-label={`Highest ${column.name}`} inputMode="decimal" placeholder="to" value={typed(range?.[1])}
+        <input aria-label={`Highest ${column.label}`} inputMode="decimal" placeholder="to" value={typed(range?.[1])}
           onChange={(event) => end(1, event.currentTarget.value)} />
       </span>
     </div>

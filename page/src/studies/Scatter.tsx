@@ -49,10 +49,10 @@ function scales({ context, colour, width, height }: Sheet, on: NonNullable<Retur
   }
   context.stroke();
   context.textBaseline = "bottom";
-  context.fillText(`${one.name}${one.unit ? `, ${one.unit}` : ""}`, width - RIGHT, height);
+  context.fillText(`${one.label}${one.unit ? `, ${one.unit}` : ""}`, width - RIGHT, height);
   context.textAlign = "left";
   context.textBaseline = "top";
-  context.fillText(`${other.name}${other.unit ? `, ${other.unit}` : ""}`, LEFT + 4, 0);
+  context.fillText(`${other.label}${other.unit ? `, ${other.unit}` : ""}`, LEFT + 4, 0);
 }
 
 function paint(sheet: Sheet, one: Column, other: Column): void {
@@ -114,7 +114,7 @@ export function Scatter() {
         next[at] = event.currentTarget.value;
         names.value = next;
       }}>
-        {axes.value.map(({ name }) => <option key={name}>{name}</option>)}
+        {axes.value.map(({ name, label }) => <option key={name} value={name}>{label}</option>)}
       </select>
     </label>
   );
@@ -122,7 +122,7 @@ export function Scatter() {
     <section class="scatter" aria-label="Two columns">
       <div class="bar">{select(0, "Across")}{select(1, "Up")}</div>
       <canvas ref={canvas} role="img" onPointerDown={pick}
-        aria-label={`${chosen(1)?.name ?? ""} against ${chosen(0)?.name ?? ""}, ${places.value.length} of ${count.value} rows`} />
+        aria-label={`${chosen(1)?.label ?? ""} against ${chosen(0)?.label ?? ""}, ${places.value.length} of ${count.value} rows`} />
     </section>
   );
 }

@@ -3,7 +3,8 @@ import { useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { errorOf, statusOf, variantOf, type Order } from "./columns.ts";
 import { picked, rows } from "./open.ts";
-import { columns, inOrder, order } from "./selection.ts";
+import { columns, criteria, inOrder, isJudged, order } from "./selection.ts";
+import { SHAPES, verdictOf, verdictOn } from "./verdicts.ts";
 
 /** Height of a row in px until one is there to be measured; rows above and below the sight that are kept ready. */
 const GUESS = 24;
@@ -22,6 +23,17 @@ function Title({ by, text, unit }: { by: string; text: string; unit?: string }) 
         {unit && <small> {unit}</small>}
       </button>
     </th>
+  );
+}
+
+/** A verdict by its sign; with its word where it stands alone. */
+export function Verdict({ word, isWord = false }: { word: string | null; isWord?: boolean }) {
+  const shape = word === null ? undefined : SHAPES[word];
+  if (!shape) return isWord ? <span class="soft">{word}</span> : null;
+  return (
+    <span class={shape.state} title={word!}>
+      <span aria-hidden="true">{shape.sign}</span> {isWord ? word : <span class="unseen">{word}</span>}
+    </span>
   );
 }
 
@@ -69,7 +81,8 @@ export function Table() {
           <tr>
             <Title by="variant" text="Variant" />
             <Title by="status" text="State" />
-            {columns.value.map(({ name, unit }) => <Title key={name} by={name} text={name} unit={unit} />)}
+            {isJudged.value && <Title by="verdict" text="Verdict" />}
+            {columns.value.map(({ name, label, unit }) => <Title key={name} by={name} text={label} unit={unit} />)}
             <th scope="col">Error</th>
           </tr>
         </thead>
@@ -83,7 +96,10 @@ export function Table() {
                 aria-current={variant === picked.value ? "true" : undefined} onClick={() => (picked.value = variant)}>
                 <td>{variant}</td>
                 <td class="words">{statusOf(row)}</td>
-                {columns.value.map((column) => <td key={column.name}>{column.text(row)}</td>)}
+                {isJudged.value && <td class="words"><Verdict word={verdictOf(row)} isWord /></td>}
+                {columns.value.map((column) => (
+                  <td key={column.name}><Verdict word={verdictOn(column, row, criteria.value)} /> {column.text(row)}</td>
+                ))}
                 <td class="words error" title={errorOf(row)}>{errorOf(row)}</td>
               </tr>
             );

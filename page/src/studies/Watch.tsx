@@ -11,8 +11,9 @@ import { errorOf, statusOf, variantOf } from "./columns.ts";
 import { about, count, current, follow, openStudy, picked, progress, rows } from "./open.ts";
 import { Parallel } from "./Parallel.tsx";
 import { Scatter } from "./Scatter.tsx";
-import { axes, brushes, colouredBy, columns, places, search } from "./selection.ts";
-import { Table } from "./Table.tsx";
+import { axes, brushes, colouredBy, columns, isJudged, onlyMet, places, search } from "./selection.ts";
+import { Table, Verdict } from "./Table.tsx";
+import { verdictOf } from "./verdicts.ts";
 import { opening } from "./vary.ts";
 
 /** The file of the study that is open, where it is in this folder. */
@@ -79,8 +80,9 @@ function Picked() {
   return (
     <div class="bar picked" role="group" aria-label="Picked variant">
       <strong>Variant {number}</strong>
+      {isJudged.value && <Verdict word={verdictOf(row)} isWord />}
       {columns.value.map((column) => (
-        <span key={column.name}>{column.name} <b>{column.text(row) || "–"}</b> {column.unit}</span>
+        <span key={column.name}>{column.label} <b>{column.text(row) || "–"}</b> {column.unit}</span>
       ))}
       {statusOf(row) !== "done" && <span class="problem">{statusOf(row)}: {errorOf(row)}</span>}
       {statusOf(row) !== "invalid" && (
@@ -117,7 +119,8 @@ const MOST_TOLD = 50;
 
 function Views() {
   const scatter = useSignal(false);
-  const isFiltered = Object.keys(brushes.value).length > 0 || search.value !== "";
+  const unknown = progress.value?.not_judged ?? [];
+  const isFiltered = Object.keys(brushes.value).length > 0 || search.value !== "" || onlyMet.value;
   return (
     <>
       <div class="bar">
@@ -125,20 +128,28 @@ function Views() {
           Colour by{" "}
           <select value={colouredBy.value ?? ""} onChange={(event) => (colouredBy.value = event.currentTarget.value || null)}>
             <option value="">one colour</option>
-            {axes.value.map(({ name }) => <option key={name}>{name}</option>)}
+            {axes.value.map(({ name, label }) => <option key={name} value={name}>{label}</option>)}
           </select>
         </label>
         <label>
           <input type="checkbox" checked={scatter.value} onChange={(event) => (scatter.value = event.currentTarget.checked)} /> Two columns
         </label>
+        {isJudged.value && (
+          <label>
+            <input type="checkbox" checked={onlyMet.value} onChange={(event) => (onlyMet.value = event.currentTarget.checked)} /> Only met
+          </label>
+        )}
         <input type="search" aria-label="Filter rows" placeholder="Variant, state, or words of an error" value={search.value}
           onInput={(event) => (search.value = event.currentTarget.value)} />
         <span class="soft" role="status">{places.value.length} of {count.value} rows</span>
-        {isFiltered && <button onClick={() => ((brushes.value = {}), (search.value = ""))}>Show all</button>}
+        {isFiltered && <button onClick={() => ((brushes.value = {}), (search.value = ""), (onlyMet.value = false))}>Show all</button>}
       </div>
       <Picked />
       {scatter.value ? <Scatter /> : <Parallel />}
       <Table />
+      {isJudged.value && unknown.length > 0 && (
+        <p class="soft">Not judged, as no output of this study has them: {unknown.join("; ")}. Add the output “All limits met” to judge all.</p>
+      )}
       <Failed />
     </>
   );

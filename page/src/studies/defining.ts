@@ -20,6 +20,14 @@ export interface Fields {
   /** Time of the newest stored run in s; null without one. */
   estimate_s: number | null;
   workers: number;
+  outputs: OfferedOutput[];
+}
+
+/** A key of the assessment, and what it is. */
+export interface OfferedOutput {
+  key: string;
+  label: string;
+  unit: string;
 }
 
 export type How = "range" | "values" | "normal";
@@ -38,38 +46,41 @@ export interface Varied {
   deviation: string;
 }
 
-export type Design = "grid" | "list" | "latin-hypercube" | "sobol" | "monte-carlo";
-export const DESIGNS: Record<Design, string> = {
-  grid: "grid: all combinations",
-  list: "list: first with first, second with second",
-  "latin-hypercube": "sample: Latin hypercube",
-  sobol: "sample: Sobol sequence",
-  "monte-carlo": "sample: Monte Carlo",
+export type Way = "grid" | "list" | "sample" | "optimise";
+/** Which combinations are computed: what it is called, and what it does. */
+export const WAYS: Record<Way, [label: string, about: string]> = {
+  grid: ["All combinations", "Every value of each field with every value of all others."],
+  list: ["One by one", "The first values of all fields together, then the second ones, and so on."],
+  sample: ["A sample", "So many variants, spread over the ranges or drawn from the distributions."],
+  optimise: ["Search for the best", "Each next variant is chosen by what came out of those before, for the least or greatest output."],
 };
-export const isSample = (design: Design): boolean => design !== "grid" && design !== "list";
-
-/** Outputs that are offered: keys of the assessment, and what they are. */
-export const OUTPUTS: [key: string, label: string][] = [
-  ["mean_force_N", "Mean force, N"],
-  ["std_force_N", "Standard deviation σ, N"],
-  ["max_force_N", "Maximum force, N"],
-  ["min_force_N", "Minimum force, N"],
-  ["statistical_max_N", "Statistical maximum F_m + 3σ, N"],
-  ["contact_loss_percent", "Contact loss, %"],
-  ["NQ_percent", "Percentage of arcing NQ, %"],
-  ["max_uplift_at_support_mm", "Maximum uplift at a support, mm"],
-  ["slack_droppers_max", "Slack droppers at once"],
-  ["passed", "All limits met (1) or not (0)"],
-];
+export type Sample = "latin-hypercube" | "sobol" | "monte-carlo";
+export const SAMPLES: Record<Sample, [label: string, about: string]> = {
+  "latin-hypercube": ["Latin hypercube", "Each field takes one value from each of so many equal parts of its range."],
+  sobol: ["Sobol sequence", "Fills the space most evenly, best with a power of two."],
+  "monte-carlo": ["Monte Carlo", "Independent draws, for statistics."],
+};
+/** Whether a range is taken as a whole, and a number of variants is asked for. */
+export const isCounted = (way: Way): boolean => way === "sample" || way === "optimise";
 
 export const scenario = signal<string | null>(null);
 export const fields = signal<Fields | null>(null);
 export const name = signal("");
 export const varied = signal<Varied[]>([]);
-export const design = signal<Design>("grid");
-/** Of a sample. */
+export const way = signal<Way>("grid");
+export const sample = signal<Sample>("latin-hypercube");
+/** Variants of a sample, or of a search. */
 export const size = signal(32);
-export const outputs = signal<string[]>(["mean_force_N", "std_force_N", "max_uplift_at_support_mm"]);
+export const outputs = signal<string[]>(["mean_force_N", "std_force_N", "max_uplift_at_support_mm", "passed"]);
+/** What a search does with an output, texts as typed. */
+export interface Aim {
+  aim: "" | "minimise" | "maximise";
+  least: string;
+  most: string;
+}
+export const NO_AIM: Aim = { aim: "", least: "", most: "" };
+/** Aims of a search by output. */
+export const aims = signal<Record<string, Aim>>({ std_force_N: { ...NO_AIM, aim: "minimise" }, passed: { ...NO_AIM, least: "1" } });
 /** Expressions beside the keys above, by name. */
 export const expressions = signal<{ name: string; expression: string }[]>([]);
 
@@ -95,6 +106,10 @@ export function vary(own: VariedField): void {
   ];
 }
 
+export function aimAt(output: string, parts: Partial<Aim>): void {
+  aims.value = { ...aims.peek(), [output]: { ...(aims.peek()[output] ?? NO_AIM), ...parts } };
+}
+
 export function leave(field: string): void {
   varied.value = varied.peek().filter((one) => one.field !== field);
 }
@@ -112,31 +127,61 @@ export function amount(text: string, unit: string): Value {
   return unit ? `${plain} ${unit}` : Number(plain);
 }
 
-function variable(one: Varied, sample: boolean): Record<string, unknown> {
+function variable(one: Varied, isWhole: boolean): Record<string, unknown> {
   const { field, unit, how } = one;
   if (how === "values") return { field, values: one.values.split(/[;,]/).filter((text) => text.trim()).map((text) => amount(text, unit)) };
-  if (how === "normal" && sample) {
+  if (how === "normal" && isWhole) {
     return { field, distribution: { kind: "normal", mean: amount(one.mean, unit), standard_deviation: amount(one.deviation, unit) } };
   }
   const range = [amount(one.low, unit), amount(one.high, unit)];
-  return sample ? { field, range } : { field, range, count: one.count };
+  return isWhole ? { field, range } : { field, range, count: one.count };
+}
+
+type Part = Record<string, unknown>;
+
+function bound(output: string, { least, most }: Aim): Part[] {
+  const ends = { ...(least.trim() && { at_least: amount(least, "") }), ...(most.trim() && { at_most: amount(most, "") }) };
+  return Object.keys(ends).length ? [{ output, ...ends }] : [];
+}
+
+function design(all: readonly string[]): Part {
+  if (way.value === "sample") return { kind: sample.value, count: size.value };
+  if (way.value !== "optimise") return { kind: way.value };
+  const own = all.flatMap((output) => (aims.value[output] ? [[output, aims.value[output]] as const] : []));
+  const constraints = own.flatMap(([output, aim]) => bound(output, aim));
+  return {
+    kind: "optimise",
+    trials: size.value,
+    objectives: Object.fromEntries(own.flatMap(([output, { aim }]) => (aim ? [[output, aim]] : []))),
+    ...(constraints.length && { constraints }),
+  };
 }
 
 /** The study as its file has it; null while it says nothing yet. */
 export const definition = computed(() => {
   const chosen = scenario.value;
-  const all = [...outputs.value.map((key) => [key, key] as const), ...expressions.value.map((one) => [one.name, one.expression] as const)];
+  const own = expressions.value;
+  const all = [...outputs.value, ...own.map((one) => one.name)];
   if (chosen === null || !name.value.trim() || !varied.value.length || !all.length) return null;
-  const sample = isSample(design.value);
   return {
     name: name.value.trim(),
     scenario: chosen,
-    variables: Object.fromEntries(varied.value.map((one) => [one.name, variable(one, sample)])),
-    design: sample ? { kind: design.value, count: size.value } : { kind: design.value },
-    // A key of its own name needs a name without dots; others are told by their expression.
-    outputs: Object.fromEntries(all.map(([key, expression]) => [key.replace(/_(N|percent|mm)$/, ""), expression])),
+    variables: Object.fromEntries(varied.value.map((one) => [one.name, variable(one, isCounted(way.value))])),
+    design: design(all),
+    // A key is its own name: it is headed by what the quantity is called.
+    outputs: own.length
+      ? Object.fromEntries([...outputs.value.map((key) => [key, key]), ...own.map((one) => [one.name, one.expression])])
+      : outputs.value,
   };
 });
+
+/** A name that no study has: the one that is wanted, or the next one with a number. */
+export function freeName(wanted: string, taken: readonly string[]): string {
+  const stem = wanted.trim().replace(/-\d+$/, "");
+  let [found, number] = [wanted.trim(), 2];
+  while (taken.includes(found)) found = `${stem}-${number++}`;
+  return found;
+}
 
 /** Name of the study's file. */
 export const fileOf = (study: string): string => `${study.trim().replace(/[^\p{L}\p{N}._-]+/gu, "-")}.yaml`;

@@ -4,6 +4,7 @@
  */
 import { batch, signal } from "@preact/signals";
 import { ask } from "../connection/http.ts";
+import { keep, kept } from "../shell/kept.ts";
 import { complain } from "../shell/messages.ts";
 
 export interface Variable {
@@ -12,6 +13,8 @@ export interface Variable {
   /** Unit it is shown in, and its size in SI. */
   unit: string;
   scale: number;
+  /** The field in words. */
+  label: string;
   description: string;
 }
 
@@ -19,6 +22,12 @@ export interface Output {
   name: string;
   expression: string;
   unit: string;
+  /** Of the assessed quantity; its own name where it is none. */
+  label: string;
+  /** Digits after the point of the quantity; null where it is none. */
+  decimals: number | null;
+  /** The pantograph, in words; empty of one alone. */
+  of: string;
   description: string;
   objective: string | null;
   bounds: { at_least: number | null; at_most: number | null } | null;
@@ -35,8 +44,22 @@ export interface Definition {
   outputs: Output[];
 }
 
-export type Cell = number | string | boolean | null;
-/** Number of the variant, status, variables, outputs, error, wall time in s. */
+/** A criterion that rows are judged by. */
+export interface Criterion {
+  title: string;
+  of: string;
+  /** Name of the output that has its value; null of a value that the scenario alone has. */
+  output: string | null;
+  /** "<=", ">=", ">"; empty where the output is the verdict itself. */
+  relation: string;
+  tolerance: number;
+  source: string;
+}
+
+/** Number of the criterion, verdict in words, limit in the unit of the output. */
+export type Judgement = [number, string, number | null];
+export type Cell = number | string | boolean | null | Judgement[];
+/** Number of the variant, status, variables, outputs, verdict, judgements, error, wall time in s. */
 export type Row = Cell[];
 
 export interface Progress {
@@ -52,6 +75,9 @@ export interface Progress {
   error: string | null;
   /** Whether this studio computes it, and can stop it. */
   own: boolean;
+  criteria: Criterion[];
+  /** Criteria that decide and that no output tells, in words. */
+  not_judged: string[];
 }
 
 interface Answer extends Progress {
@@ -77,7 +103,11 @@ export const picked = signal<number | null>(null);
 let edition = "";
 let next = 0;
 
+/** The study that was open when the window was closed or read anew. */
+export const lastOpen = (): string | null => kept<string | null>("study", null, (found) => typeof found === "string");
+
 export function openStudy(path: string | null): void {
+  keep("study", path);
   edition = "";
   next = rows.length = 0;
   batch(() => {

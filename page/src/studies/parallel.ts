@@ -2,13 +2,20 @@
 import type { Sheet } from "../drawing/canvas.ts";
 import { BUCKETS, bucketOf, colourOfBucket } from "./colours.ts";
 import { extent, shown, variantOf, type Brushes, type Column } from "./columns.ts";
-import type { Row } from "./open.ts";
+import type { Criterion, Row } from "./open.ts";
+import { SHAPES, judgementsOf, verdictOn, type Limit, type Shape } from "./verdicts.ts";
 
 /** Room in px above and below the axes, for numbers. */
 export const TOP = 16;
 export const BOTTOM = 16;
 /** A line so near in px is the one that is pointed at. */
 const NEAR = 8;
+/** Half the width in px of a limit across its axis, and of a shape on it. */
+const [BAR, SHAPE] = [11, 3.5];
+/** With more rows than this shapes lie over each other; that of the picked row stays. */
+const MOST_SHAPES = 300;
+/** A limit up to so many ranges of the values beyond them lengthens the axis; one further away would press them together. */
+const REACH = 0.5;
 
 export interface Picture {
   columns: Column[];
@@ -18,6 +25,9 @@ export interface Picture {
   brushes: Brushes;
   coloured: Column | null;
   picked: number | null;
+  criteria: readonly Criterion[];
+  /** By column. */
+  limits: Readonly<Record<string, readonly Limit[]>>;
 }
 
 export interface Layout {
@@ -27,8 +37,19 @@ export interface Layout {
   extents: ([number, number] | null)[];
 }
 
-export function layout({ columns, rows }: Picture, width: number, height: number): Layout {
-  const extents = columns.map((column) => extent(column, rows));
+/** Ends of an axis: of its values, and of limits that are not far from them. */
+function ends(column: Column, { rows, limits }: Picture): [number, number] | null {
+  const found = extent(column, rows);
+  if (!found) return null;
+  const reach = REACH * (found[1] - found[0]);
+  const near = (limits[column.name] ?? []).flatMap(({ low, high }) => [low, high])
+    .filter((one) => one >= found[0] - reach && one <= found[1] + reach);
+  return [Math.min(found[0], ...near), Math.max(found[1], ...near)];
+}
+
+export function layout(picture: Picture, width: number, height: number): Layout {
+  const { columns } = picture;
+  const extents = columns.map((column) => ends(column, picture));
   const room = height - TOP - BOTTOM;
   const of = (axis: number) => extents[axis] ?? [0, 1];
   return {
@@ -82,7 +103,8 @@ function lines(sheet: Sheet, on: Layout, picture: Picture): void {
   context.globalAlpha = 1;
 }
 
-function axes(sheet: Sheet, on: Layout, { columns, brushes }: Picture): void {
+function axes(sheet: Sheet, on: Layout, picture: Picture): void {
+  const { columns, brushes } = picture;
   const { context, colour, height } = sheet;
   context.font = `12px ${colour("font-text")}`;
   context.textAlign = "center";
@@ -102,7 +124,7 @@ function axes(sheet: Sheet, on: Layout, { columns, brushes }: Picture): void {
       context.textBaseline = "top";
       context.fillText(shown(ends[0]), x, height - BOTTOM);
     }
-    limits(sheet, on, column, axis);
+    limits(sheet, on, axis, picture.limits[column.name] ?? []);
     const range = brushes[column.name];
     if (!range) return;
     const [top, bottom] = [on.y(axis, range[1]), on.y(axis, range[0])].map((y) => Math.min(Math.max(y, TOP), height - BOTTOM)) as [number, number];
@@ -114,18 +136,51 @@ function axes(sheet: Sheet, on: Layout, { columns, brushes }: Picture): void {
   });
 }
 
-/** Limits of an output, as a bar across its axis. */
-function limits({ context, colour, height }: Sheet, on: Layout, { output }: Column, axis: number): void {
-  context.strokeStyle = colour("limit");
-  context.lineWidth = 3;
-  for (const limit of [output?.bounds?.at_least, output?.bounds?.at_most]) {
-    if (limit === null || limit === undefined) continue;
-    const y = on.y(axis, limit);
-    if (y < TOP || y > height - BOTTOM) continue;
-    context.beginPath();
-    context.moveTo(on.x(axis) - 10, y);
-    context.lineTo(on.x(axis) + 10, y);
-    context.stroke();
+/** Limits of an output across its axis: a bar, or a band where they go with the variants. */
+function limits({ context, colour, height }: Sheet, on: Layout, axis: number, all: readonly Limit[]): void {
+  const x = on.x(axis);
+  context.fillStyle = colour("limit");
+  for (const limit of all) {
+    const [top, bottom] = [on.y(axis, limit.high), on.y(axis, limit.low)];
+    if (bottom < TOP || top > height - BOTTOM) continue;
+    const [from, to] = [Math.max(top, TOP), Math.min(bottom, height - BOTTOM)];
+    context.globalAlpha = 0.3;
+    context.fillRect(x - BAR, from, 2 * BAR, to - from);
+    context.globalAlpha = 1;
+    for (const y of [top, bottom]) if (y >= TOP - 1 && y <= height - BOTTOM + 1) context.fillRect(x - BAR, y - 1.5, 2 * BAR, 3);
+  }
+}
+
+function shape(context: CanvasRenderingContext2D, drawn: Shape["drawn"], x: number, y: number, size: number): void {
+  context.beginPath();
+  if (drawn === "circle") context.arc(x, y, size, 0, 2 * Math.PI);
+  else {
+    const corners: [number, number][] = drawn === "diamond"
+      ? [[0, -1.3], [1.3, 0], [0, 1.3], [-1.3, 0]]
+      : drawn === "up" ? [[0, -1.3], [1.2, 1], [-1.2, 1]] : [[0, 1.3], [1.2, -1], [-1.2, -1]];
+    for (const [right, down] of corners) context.lineTo(x + right * size, y + down * size);
+  }
+  context.fill();
+}
+
+/** Where a row meets the axis of an output that is judged: a shape by the verdict. */
+function verdicts({ context, colour }: Sheet, on: Layout, picture: Picture, row: Row, size: number): void {
+  picture.columns.forEach((column, axis) => {
+    const [value, verdict] = [column.number(row), verdictOn(column, row, picture.criteria)];
+    const own = verdict === null ? undefined : SHAPES[verdict];
+    if (value === null || !own) return;
+    context.fillStyle = colour(own.colour);
+    shape(context, own.drawn, on.x(axis), on.y(axis, value), size);
+  });
+}
+
+/** The limit that holds for a row itself. */
+function ownLimits({ context, colour }: Sheet, on: Layout, { columns, criteria }: Picture, row: Row): void {
+  context.fillStyle = colour("limit");
+  for (const [number, , limit] of judgementsOf(row)) {
+    const axis = columns.findIndex(({ name }) => name === criteria[number]?.output);
+    if (axis < 0 || limit === null) continue;
+    context.fillRect(on.x(axis) - BAR - 4, on.y(axis, limit) - 2.5, 2 * BAR + 8, 5);
   }
 }
 
@@ -141,6 +196,11 @@ export function paint(sheet: Sheet, picture: Picture): void {
     sheet.context.stroke();
   }
   axes(sheet, on, picture);
+  if (own) ownLimits(sheet, on, picture, own);
+  if (picture.places.length <= MOST_SHAPES) {
+    for (const at of picture.places) verdicts(sheet, on, picture, picture.rows[at]!, SHAPE);
+  }
+  if (own) verdicts(sheet, on, picture, own, 2 * SHAPE);
 }
 
 /** The axis near a point; null where none is. */

@@ -1,14 +1,15 @@
 import { expect, test } from "vitest";
 import { BUCKETS, bucketOf } from "./colours.ts";
 import { columnsOf, extent, kept, shown, sorted, variantOf } from "./columns.ts";
-import { amount, columnName, definition, design, fileOf, name, outputs, scenario, varied, vary, type VariedField } from "./defining.ts";
+import { aimAt, amount, columnName, definition, fileOf, freeName, name, outputs, sample, scenario, size, varied, vary, way, type VariedField } from "./defining.ts";
 import type { Definition, Row } from "./open.ts";
 import { layout, lineAt } from "./parallel.ts";
+import { limitsOf, verdictOf, verdictOn, wordsOf } from "./verdicts.ts";
 
 const about: Definition = {
   name: "s", description: "", scenario: "x", design: "grid", count: 4,
-  variables: [{ name: "tension", field: "line.contact_wire.tension", unit: "kN", scale: 1000, description: "" }],
-  outputs: [{ name: "sigma", expression: "std_force_N", unit: "N", description: "", objective: null, bounds: null }],
+  variables: [{ name: "tension", field: "line.contact_wire.tension", unit: "kN", scale: 1000, label: "Contact wire: tension", description: "" }],
+  outputs: [{ name: "sigma", expression: "std_force_N", unit: "N", label: "standard deviation σ", of: "", decimals: 1, description: "", objective: null, bounds: null }],
 };
 const rows: Row[] = [
   [1, "done", 20000, 30, "", 0.1],
@@ -40,7 +41,7 @@ test("rows are sorted by a column, those without a value last either way", () =>
 });
 
 test("the line of a variant is found where it passes, and places on axes are read back", () => {
-  const picture = { columns, rows, places: [0, 1, 3], brushes: {}, coloured: null, picked: null };
+  const picture = { columns, rows, places: [0, 1, 3], brushes: {}, coloured: null, picked: null, criteria: [], limits: {} };
   const on = layout(picture, 400, 300);
   expect(on.value(0, on.y(0, 21.5))).toBeCloseTo(21.5, 9);
   const x = (on.x(0) + on.x(1)) / 2;
@@ -68,15 +69,66 @@ test("what is ticked becomes the study as its file has it", () => {
   vary(tension);
   vary({ ...tension, field: "line.messenger_wire.tension" });
   expect(definition.value).toEqual({
-    name: "my study", scenario: "own.yaml", design: { kind: "grid" }, outputs: { std_force: "std_force_N" },
+    name: "my study", scenario: "own.yaml", design: { kind: "grid" }, outputs: ["std_force_N"],
     variables: {
       tension: { field: "line.contact_wire.tension", range: ["19.8 kN", "24.2 kN"], count: 5 },
       tension_2: { field: "line.messenger_wire.tension", range: ["19.8 kN", "24.2 kN"], count: 5 },
     },
   });
-  design.value = "sobol";
+  way.value = "sample";
+  sample.value = "sobol";
   expect(definition.value?.design).toEqual({ kind: "sobol", count: 32 });
   expect(definition.value?.variables["tension"]).toEqual({ field: "line.contact_wire.tension", range: ["19.8 kN", "24.2 kN"] });
+});
+
+test("a search has the aims and bounds of the outputs that are ticked, and of no others", () => {
+  scenario.value = "own.yaml";
+  name.value = "best";
+  way.value = "optimise";
+  size.value = 12;
+  outputs.value = ["std_force_N", "max_uplift_at_support_mm", "passed"];
+  varied.value = [];
+  vary(tension);
+  aimAt("max_uplift_at_support_mm", { most: " 90 " });
+  aimAt("max_force_N", { aim: "maximise" });
+  expect(definition.value?.design).toEqual({
+    kind: "optimise", trials: 12, objectives: { std_force_N: "minimise" },
+    constraints: [{ output: "max_uplift_at_support_mm", at_most: 90 }, { output: "passed", at_least: 1 }],
+  });
+  expect(definition.value?.variables["tension"]).not.toHaveProperty("count");
+  way.value = "grid";
+  expect(definition.value?.design).toEqual({ kind: "grid" });
+});
+
+test("a name that is taken is numbered on", () => {
+  expect(freeName("a-study", ["b"])).toBe("a-study");
+  expect(freeName("a-study", ["a-study", "a-study-2"])).toBe("a-study-3");
+  expect(freeName("a-study-2", ["a-study-2"])).toBe("a-study-3");
+});
+
+test("limits of an output are told by row, and a row's verdict on it is the worst", () => {
+  const criteria = [
+    { title: "standard deviation σ", of: "", output: "sigma", relation: "<=", tolerance: 0, source: "A" },
+    { title: "mean force", of: "", output: "mean", relation: ">=", tolerance: 1, source: "C" },
+    { title: "σ again", of: "", output: "sigma", relation: "<=", tolerance: 0, source: "A" },
+  ];
+  const judged: Row[] = [
+    [1, "done", 20000, 30, "not met", [[0, "not met", 28], [2, "met", 40]], "", 0.1],
+    [2, "done", 22000, 10, "met", [[0, "met", 31], [2, "met", 40]], "", 0.1],
+    [3, "failed", 24000, null, "not judged", [], "it diverged", 0.1],
+  ];
+  const sigma = columns[1]!;
+  expect(judged.map((row) => verdictOn(sigma, row, criteria))).toEqual(["not met", "met", null]);
+  expect(verdictOn(columns[0]!, judged[0]!, criteria)).toBeNull();
+  expect(judged.map(verdictOf)).toEqual(["not met", "met", "not judged"]);
+  expect(limitsOf(sigma, judged, criteria).map(wordsOf)).toEqual(["≤ 28 to 31", "≤ 40"]);
+  const bound = { ...sigma, output: { ...sigma.output!, bounds: { at_least: 1, at_most: null } } };
+  expect(limitsOf(bound, [], criteria).map(wordsOf)).toEqual(["≥ 1"]);
+  // An axis is lengthened by a limit that is near its values, and by none that is far from them.
+  const picture = { columns, rows: judged, places: [0, 1], brushes: {}, coloured: null, picked: null, criteria, limits: { sigma: limitsOf(sigma, judged, criteria) } };
+  expect(layout(picture, 400, 300).extents[1]).toEqual([10, 40]);
+  const far = { ...picture, limits: { sigma: [{ sign: "≤", low: 300, high: 300, source: "" }] } };
+  expect(layout(far, 400, 300).extents[1]).toEqual([10, 30]);
 });
 
 test("amounts have the unit of the field unless one is typed", () => {

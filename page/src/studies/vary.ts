@@ -7,6 +7,12 @@ export const wanted = signal<string | null>(null);
 /** Which half of the panel is seen. */
 export const face = signal<"define" | "watch">("define");
 
+const PANTOGRAPH = /^pantographs\.\d+\.model\./;
+
+/** Whether a field of a scenario is the one that is asked for: by its own path, that in a variant, in the line, or in the pantograph. */
+export const isAsked = (field: string, asked: string): boolean =>
+  field === asked || `set.${field}` === asked || field === `line.${asked}` || (PANTOGRAPH.test(field) && field.replace(PANTOGRAPH, "") === asked);
+
 /** Vary a field of the scenario, by its path in the scenario, or in its line or pantograph. */
 export function varyField(field: string): void {
   wanted.value = field;

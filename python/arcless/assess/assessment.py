@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from arcless.assess.certainty import COVERAGE, RUN_KEYS, Draw, Draws, numbers_of, student_factor
-from arcless.assess.criteria import NOT_JUDGED, Criterion, evaluate, verdict_of
+from arcless.assess.criteria import NOT_JUDGED, OF_RUN, Criterion, evaluate, verdict_of
 from arcless.assess.facts import criteria_facts, lateral_mm, speed_notes, supply_notes, uplift_notes
 from arcless.assess.rules import decides
 from arcless.assess.section import (
@@ -21,6 +21,8 @@ from arcless.assess.section import (
     force_record,
     ran_over,
     section_notes,
+    short_reasons,
+    spans_run_over,
 )
 from arcless.assess.statistics import PantographAssessment, pantograph_assessment
 from arcless.assess.tables import Headline, card, data_frame, headline, title_of
@@ -196,6 +198,8 @@ def assess(
     draws, method, about_draws = _draws(facts, limits, cutoff_Hz)
     if draws is not None:
         pantographs = [replace(p, certainty=draws.of_pantograph(p)) for p in pantographs]
+    spans = {p.name: spans_run_over(dataset, limits, i) for i, p in enumerate(pantographs)}
+    reasons = replace(OF_RUN, of_verdict=short_reasons(spans))
     return Assessment(
         scenario=facts["scenario_name"],
         version=facts["arcless_version"],
@@ -205,7 +209,7 @@ def assess(
         band_split_Hz=split_Hz,
         pantographs=pantographs,
         supply=judged_by.supply,
-        criteria=evaluate(judged_by, pantographs, draws),
+        criteria=evaluate(judged_by, pantographs, draws, reasons),
         notes=notes + about_draws,
         certainty=None if draws is None else draws.of_run(line),
         certainty_method=method,

@@ -70,6 +70,12 @@ class Criterion:
         return f"<Criterion {self.name}{of}: {value}: {verdict_of(data)}>"
 
 
+def is_withheld(criterion: Mapping[str, Any]) -> bool:
+    """Return whether a criterion, given as plain data, has value and limit but is not judged."""
+    known = criterion["value"] is not None and criterion["limit"] is not None
+    return known and verdict_of(criterion) == NOT_JUDGED
+
+
 def verdict_of(criterion: Mapping[str, Any]) -> str:
     """Return the verdict on a criterion, given as plain data, in words."""
     if criterion["passed"] is not None:
@@ -244,6 +250,8 @@ def _sure(rule: Rule, criterion: Criterion, draws: Draws | None) -> Criterion:
     if known is None or criterion.value is None or criterion.limit is None:
         return criterion
     sure = replace(criterion, certainty=asdict(known))
+    if criterion.passed is None:
+        return sure
     allowed = rule.tolerance if rule.relation == "<=" else -rule.tolerance
     distance, uncertainty = abs(criterion.value - criterion.limit - allowed), known.uncertainty
     if uncertainty is None or distance >= uncertainty:

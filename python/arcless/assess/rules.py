@@ -32,6 +32,9 @@ SAME_SPEED_KM_H = 1e-6
 ASSUMED = "assumed"
 LATERAL_LIMIT = "lateral_limit_mm"
 
+# Criteria whose value is a deviation over the section, or is made of one.
+OF_DEVIATION = ("standard_deviation", "statistical_max", "statistical_min")
+
 # Marks of limits that decide: read, quoted by who read them, or computed from such.
 DECIDING = ("A", "A'", "B", "D")
 

@@ -2,12 +2,15 @@
 # ruff: noqa: N815 - the names carry their units
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from arcless.assess.criteria import telling_decimals
+from arcless.assess.rules import OF_DEVIATION
 from arcless.assess.signals.filter import sample_rate_Hz
 from arcless.assess.statistics import ForceBands, force_bands
 from arcless.errors import ModelError
@@ -23,6 +26,9 @@ MEASUREMENT_RATE_HZ = 200.0
 # Section below which numbers are those of one place: two passages of the longest repeating wave,
 # the span, and a second where spans are short or none. Longer, good short sections are doubted.
 FEWEST_SPANS, SHORTEST_S = 2, 1.0
+# Part of a span by which a section may fall short of them: some millimetres of typed ends. Less,
+# ends that are typed rounded are refused; more, "2.0000 spans" are told to be fewer than 2.
+ROUNDING_SPANS = 1e-4
 # Time after the start of a run that still swings from it: about a period of the pantograph's lowest
 # mode (assumed). Longer, whole sections are doubted; shorter, the start counts as the line.
 START_UP_S = 1.0
@@ -119,11 +125,75 @@ def extreme_inside(
     return float(inside.max() if largest else inside.min())
 
 
-def _span_m(dataset: "Dataset") -> float | None:
-    """Return the mean length of a span in m; None of a record without supports."""
-    if "support_x" not in dataset or dataset["support_x"].values.size < 2:  # noqa: PLR2004 - ends
+def spans_between(supports_m: NDArray[np.float64], begin: float, end: float) -> float | None:
+    """Return the spans between two places in m, parts of them counted; None without spans.
+
+    Parameters
+    ----------
+    supports_m
+        Positions of the supports in m.
+    begin, end
+        The places; what lies beyond the outermost supports counts nothing.
+    """
+    supports = np.unique(supports_m)
+    if supports.size < 2:  # noqa: PLR2004 - a span has two ends
         return None
-    return float(np.diff(dataset["support_x"].values).mean())
+    return float(np.ptp(np.interp([begin, end], supports, np.arange(float(supports.size)))))
+
+
+def too_short(spans: float | None) -> bool:
+    """Return whether a section has fewer spans than tell of a line."""
+    return spans is not None and spans < FEWEST_SPANS - ROUNDING_SPANS
+
+
+def counted_spans(spans: float) -> str:
+    """Return a number of spans as text, with as many decimals as tell it from the fewest."""
+    decimals = telling_decimals(spans, [FEWEST_SPANS], 1)
+    return f"{spans:.{decimals}f} spans"
+
+
+def spans_run_over(dataset: "Dataset", section: Section, column: int) -> float | None:
+    """Return the spans of the section that a pantograph ran over; None without spans."""
+    if "support_x" not in dataset:
+        return None
+    ends = run_over(dataset["position"].values, column, section)
+    return spans_between(dataset["support_x"].values, *ends)
+
+
+def run_over(position: NDArray[np.float64], column: int, section: Section) -> Section:
+    """Return the part of the section that a pantograph ran over, from and to in m.
+
+    An end of the section lies between two samples: a path that ends a stride before it reaches it.
+
+    Parameters
+    ----------
+    position
+        Of all pantographs in m, (time, pantograph).
+    column
+        Number of the pantograph.
+    section
+        From and to in m.
+    """
+    first, last, stride = position[0, column], position[-1, column], _stride_m(position)
+    begin = section[0] if first <= section[0] + stride else float(first)
+    end = section[1] if last >= section[1] - stride else float(last)
+    return begin, end
+
+
+def short_reasons(spans: Mapping[str, float | None]) -> dict[tuple[str, str, bool], str]:
+    """Return why deviations over few spans are not judged, as `Reasons.of_verdict` has it.
+
+    Parameters
+    ----------
+    spans
+        Spans that each pantograph ran over in the section, by its name; None without spans.
+    """
+    return {
+        (name, rule, passed): f"too short: {counted_spans(count)}, and fewer than {FEWEST_SPANS}"
+        " tell of one place, not of the line"
+        for name, count in spans.items() if count is not None and too_short(count)
+        for rule in OF_DEVIATION for passed in (False, True)
+    }  # fmt: skip
 
 
 def section_notes(
@@ -143,7 +213,8 @@ def section_notes(
         samples = np.flatnonzero(inside)
         first, last = samples[0], samples[-1]
         length = float(path[last] - path[first])
-        notes += short_notes(str(name), samples.size / record.rate_Hz, length, _span_m(dataset))
+        spans = spans_run_over(dataset, section, column)
+        notes += short_notes(str(name), samples.size / record.rate_Hz, length, spans)
         notes += start_notes(str(name), float(time[first] - time[0]))
         margin = min(time[samples[0]] - time[0], time[-1] - time[samples[-1]])
         filtered, force = record.bands.total[samples, column], record.force[samples, column]
@@ -180,16 +251,15 @@ def start_notes(name: str, until_s: float) -> list[str]:
     ]
 
 
-def short_notes(name: str, time_s: float, length_m: float, span_m: float | None) -> list[str]:
+def short_notes(name: str, time_s: float, length_m: float, spans: float | None) -> list[str]:
     """Say that a pantograph was in the section for too short to tell how it runs on the line."""
-    short = span_m is not None and length_m < FEWEST_SPANS * span_m
-    if not short and time_s >= SHORTEST_S:
+    if not too_short(spans) and time_s >= SHORTEST_S:
         return []
-    spans = "" if span_m is None else f", {length_m / span_m:.2g} spans"
+    counted = "" if spans is None else f", {counted_spans(spans)}"
     return [
-        f"pantograph {name} is in the section for {length_m:.4g} m{spans}, {time_s:.3g} s: numbers"
-        f" of less than {FEWEST_SPANS} spans or {SHORTEST_S:g} s are those of one place, not of the"
-        " line"
+        f"pantograph {name} is in the section for {length_m:.4g} m{counted}, {time_s:.3g} s:"
+        f" numbers of less than {FEWEST_SPANS} spans or {SHORTEST_S:g} s are those of one place,"
+        " not of the line"
     ]
 
 

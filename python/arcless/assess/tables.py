@@ -14,6 +14,7 @@ from arcless.assess.criteria import (
     Criterion,
     allowance,
     decimals_of,
+    is_withheld,
     uncertainty_of,
     verdict_of,
 )
@@ -48,10 +49,15 @@ class Headline:
 
 
 def headline(criteria: Sequence[Criterion]) -> Headline:
-    """Return the least favourable verdict on some criteria, and how many have which."""
+    """Return the least favourable verdict on some criteria, and how many have which.
+
+    Where a number could have been compared with its limit and is not judged, they are not met.
+    """
     verdicts = [verdict_of(asdict(one)) for one in criteria]
     counts = {word: verdicts.count(word) for word in _HEADLINES}
-    word = next((word for word, count in counts.items() if count), NOT_JUDGED)
+    withheld = any(is_withheld(asdict(one)) for one in criteria)
+    usual = (word for word in _HEADLINES if counts[word] and not (withheld and word == MET))
+    word = next(usual, NOT_JUDGED)
     state, title = _HEADLINES[word]
     total = len(criteria)
     share = f"all {total}" if counts[word] == total else f"{counts[word]} of {total}"

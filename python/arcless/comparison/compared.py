@@ -124,7 +124,7 @@ def data_of(
     fields = _fields(subjects)
     words = _words(fields[0], subjects) if len(fields) == 1 else None
     full_names = names_of(subjects, files, words)
-    names = short_names(full_names)
+    names = short_names(full_names, subjects)
     assessments = [one.assessment for one in sides]
     return {
         "names": tuple(names),

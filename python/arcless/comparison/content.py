@@ -20,7 +20,8 @@ LEFT_OUT = (
 SAME = "No field of the scenarios differs."
 PLACEMENT_READS = (
     "The offset is added to the first measured position, the drift to every kilometre of the"
-    " odometer. The correlation is that of the filtered forces, or heights, of both."
+    " odometer. The correlation is that of the filtered forces, or heights, of both. What the"
+    " amplifier of the instrument delays, the speed times its delay, is part of the offset."
 )
 BANDS_READ = (
     "Standard deviation of the contact force in each band. Below each value its difference to the"

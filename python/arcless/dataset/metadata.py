@@ -1,6 +1,7 @@
 """Attributes of a dataset as plain Python values."""
 
 import json
+from collections.abc import Mapping
 from typing import Any
 
 from arcless.dataset.plain_dataset import Dataset
@@ -12,7 +13,12 @@ def metadata(dataset: Dataset) -> dict[str, Any]:
 
     Attributes that the table knows and the dataset lacks are ``None``.
     """
-    return {name: _decoded(name, dataset.attrs.get(name)) for name in ATTRIBUTES}
+    return decoded(dataset.attrs)
+
+
+def decoded(attrs: Mapping[str, Any]) -> dict[str, Any]:
+    """Return attributes as they are stored as plain Python values; see `metadata`."""
+    return {name: _decoded(name, attrs.get(name)) for name in ATTRIBUTES}
 
 
 def _decoded(name: str, value: Any) -> Any:

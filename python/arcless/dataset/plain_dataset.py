@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, TypeAlias
 
+import numpy as np
 from numpy.typing import NDArray
 
 from arcless.dataset.build import Described, Entry, attributes, check_complete, variables
@@ -68,6 +69,14 @@ class Plain:
     def __iter__(self) -> Iterator[str]:
         """Go through the names of variables and coordinates; none is read."""
         return iter([*self._data, *self._coords])
+
+    def columns(self, name: str, which: slice) -> NDArray[Any]:
+        """Return some columns of a variable of two dimensions; of a file no others are read."""
+        of_file = getattr(self._data, "columns", None)
+        found: NDArray[Any] = (
+            self._data[name][1][:, which] if of_file is None else of_file(name, which)
+        )
+        return found
 
     @property
     def dims(self) -> list[str]:
@@ -135,3 +144,10 @@ def dataset_from(
 
 
 Dataset: TypeAlias = "xarray.Dataset | Plain"
+
+
+def columns_of(dataset: Dataset, name: str, which: slice) -> NDArray[Any]:
+    """Return some columns of a variable of two dimensions."""
+    if isinstance(dataset, Plain):
+        return dataset.columns(name, which)
+    return np.asarray(dataset[name].values[:, which])

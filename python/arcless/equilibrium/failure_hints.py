@@ -19,6 +19,7 @@ import numpy as np
 from arcless.errors import EquilibriumError
 from arcless.mesh import DropperPlace, Mesh
 from arcless.model import Line, SteadyArmBar
+from arcless.units import written_in
 
 # Measured heights this near to a dropper may be why it would have to push. In m.
 NEIGHBOURS = 50.0
@@ -73,9 +74,10 @@ def _low_messenger(line: Line, gravity: float, span: float) -> str | None:
 
 
 class Sag(NamedTuple):
-    """Sag of a wire: its field and given value, the distance of its holds, the sag in m."""
+    """Sag of a wire: its field and value, as given too, the distance of its holds, the sag in m."""
 
     field: str
+    value: float
     given: str
     apart: float
     sag: float
@@ -90,7 +92,8 @@ def check_carried(line: Line, gravity: float) -> None:
                 where=deep.field,
                 got=f"{deep.given}: over {deep.apart:g} m it would sag by some {deep.sag:.3g} m",
                 expected="a small part of that",
-                hint="look at its unit (N for kN?), at the mass of the wire, and at the spans",
+                hint=_unit_meant(line, deep)
+                or "look at its unit (N for kN?), at the mass of the wire, and at the spans",
             )
 
 
@@ -100,8 +103,18 @@ def _deep(line: Line, gravity: float) -> Iterator[str]:
         if deep.sag > DEEP * deep.apart:
             yield (
                 f"{deep.field} is {deep.given}: where {deep.apart:g} m lie between what holds it,"
-                f" it sags by some {deep.sag:.2g} m; look at the unit, at the mass and at the spans"
+                f" it sags by some {deep.sag:.2g} m; "
+                + (_unit_meant(line, deep) or "look at the unit, at the mass and at the spans")
             )
+
+
+def _unit_meant(line: Line, deep: "Sag") -> str | None:
+    """Ask for kN where a tension has no unit, and a thousand times as much would carry the wire."""
+    if not deep.field.endswith(".tension") or written_in(line.as_typed(deep.field), "N"):
+        return None
+    if deep.sag / KILO > DEEP * deep.apart:
+        return None
+    return f"did you mean {deep.value:g} kN? a number without a unit is in N"
 
 
 def _sags(line: Line, gravity: float) -> Iterator[Sag]:
@@ -110,16 +123,18 @@ def _sags(line: Line, gravity: float) -> Iterator[Sag]:
     weight = wire.mass * gravity
     if wire.tension > 0:
         sag = weight * apart**2 / (8.0 * wire.tension)
-        yield Sag("contact_wire.tension", _newtons(wire.tension), apart, sag)
+        yield Sag("contact_wire.tension", wire.tension, _newtons(wire.tension), apart, sag)
     else:
         stiffness = wire.bending_stiffness
         sag = 5.0 * weight * apart**4 / (384.0 * stiffness)
-        yield Sag("contact_wire.bending_stiffness", f"{stiffness:g} N m²", apart, sag)
+        field = "contact_wire.bending_stiffness"
+        yield Sag(field, stiffness, f"{stiffness:g} N m²", apart, sag)
     above = line.messenger_wire
     if above is not None:
         span = max(span.length for span in line.span_list())
         sag = line.hanging_mass * gravity * span**2 / (8.0 * above.tension)
-        yield Sag("messenger_wire.tension", _newtons(above.tension), span, sag)
+        field = "messenger_wire.tension"
+        yield Sag(field, above.tension, _newtons(above.tension), span, sag)
 
 
 def _longest_free(line: Line) -> float:

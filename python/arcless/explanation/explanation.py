@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from arcless.assess import Assessment
-from arcless.assess.section import force_record
+from arcless.assess.section import force_record, run_over
 from arcless.dataset.metadata import metadata
 from arcless.display import cards
 from arcless.display.numbers import number
@@ -144,7 +144,7 @@ def explain(
             rate_Hz=record.rate_Hz,
             low_pass_Hz=assessment.low_pass_Hz,
             speed=float(np.mean(dataset["speed"].values[inside])),
-            ends=(max(begin, ran[0]), min(end, ran[1])),
+            ends=run_over(position, i, section),
             spans=whole_spans(line.supports, section, ran),
             modes=own,
         )

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from arcless.assess.section import FEWEST_SPANS, counted_spans, too_short
 from arcless.errors import ExplanationError
 from arcless.explanation import places, words
 from arcless.explanation.landmarks import Landmarks
@@ -29,9 +30,6 @@ from arcless.pantograph.natural_modes import PantographMode
 
 Floats = NDArray[np.float64]
 
-# Fewest spans whose repetition can be told from a single passage; typed ends of a section may be
-# this much of a span off.
-FEWEST_SPANS, ROUNDING = 2.0, 1e-6
 # Deviation in N below which a force is constant: shares of it would be shares of rounding.
 CONSTANT = 1e-6
 
@@ -178,12 +176,12 @@ def explained(passage: Passage, line: LineCoordinate, marks: Landmarks) -> Panto
 
 
 def _check(passage: Passage, spans: float, variance: float) -> None:
-    if spans < FEWEST_SPANS - ROUNDING:
+    if too_short(spans):
         begin, end = passage.ends
         raise ExplanationError(
             "the section is too short to tell what repeats",
             where=f"pantograph {passage.name}",
-            got=f"{begin:g} to {end:g} m, {spans:.2g} spans",
+            got=f"{begin:g} to {end:g} m, {counted_spans(spans)}",
             expected=f"at least {FEWEST_SPANS:g} spans",
             hint="set `analysis.from` and `analysis.to`, and let the run go on to the end",
         )

@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from arcless.assess.assessment import Assessment
 from arcless.assess.criteria import OF_MEASUREMENT, Reasons, evaluate
@@ -19,6 +20,8 @@ from arcless.assess.section import (
     Section,
     checked_cutoff,
     checked_section,
+    short_reasons,
+    spans_between,
 )
 from arcless.assess.statistics import ForceBands, PantographAssessment, pantograph_assessment
 from arcless.errors import MeasurementError
@@ -66,6 +69,7 @@ def assess(
     supply: str | None = None,
     section: tuple[float | None, float | None] | None = None,
     low_pass_Hz: float = LOW_PASS_HZ,
+    supports_m: NDArray[np.float64] | None = None,
 ) -> Assessment:
     """Assess a measurement.
 
@@ -81,6 +85,9 @@ def assess(
         pantographs ran over.
     low_pass_Hz
         Cut-off of the low-pass in Hz.
+    supports_m
+        Positions of the supports in m, where the measurement lies on a line that is known:
+        deviations over less than two spans are then not judged.
 
     Raises
     ------
@@ -108,6 +115,7 @@ def assess(
         speed_known_to_km_h=MEASURED_SPEED_KM_H,
         uplift_mm=_uplift_mm(measurement, limits),
     )
+    spans = None if supports_m is None else spans_between(supports_m, *limits)
     return Assessment(
         scenario=measurement.name,
         version=_version(),
@@ -125,7 +133,7 @@ def assess(
         wall_time_s=None,
         real_time_factor=None,
         supply=facts.supply,
-        criteria=evaluate(facts, pantographs, reasons=_reasons(parts, doubtful)),
+        criteria=evaluate(facts, pantographs, reasons=_reasons(parts, doubtful, spans)),
         notes=[
             *(text for each in doubtful for text in each.told),
             *_notes(measurement, parts, facts, limits, low_pass_Hz),
@@ -134,17 +142,17 @@ def assess(
     )
 
 
-def _reasons(parts: Sequence[_Part], doubtful: Sequence[Doubts]) -> Reasons:
-    """Return why criteria are not judged, for what is doubtful about the forces."""
+def _reasons(parts: Sequence[_Part], doubtful: Sequence[Doubts], spans: float | None) -> Reasons:
+    """Return why criteria are not judged: what is doubtful about the forces, too few spans."""
+    short = short_reasons({part.track.name: spans for part in parts})
     named = [(part.track.name, one) for part, one in zip(parts, doubtful, strict=True)]
     return replace(
         OF_MEASUREMENT,
         of_pantograph={
             name: one.of_pantograph for name, one in named if one.of_pantograph is not None
         },
-        of_verdict={
-            (name, *verdict): why for name, one in named for verdict, why in one.of_verdict.items()
-        },
+        of_verdict=short
+        | {(name, *verdict): why for name, one in named for verdict, why in one.of_verdict.items()},
     )
 
 

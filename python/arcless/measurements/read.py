@@ -16,6 +16,7 @@ from arcless.measurements.table.columns import KNOWN, SENSORS, Column, columns_o
 from arcless.measurements.table.dialect import LARGEST_FILE, Dialect, examine
 from arcless.measurements.table.numbers import numbers
 from arcless.measurements.table.rows import scan
+from arcless.model.settings.run_settings import FASTEST_TRAIN
 from arcless.units import show, to_si
 
 Values = Mapping[Column, NDArray[np.float64]]
@@ -24,8 +25,6 @@ Values = Mapping[Column, NDArray[np.float64]]
 ENDINGS = (".csv", ".tsv", ".txt", ".dat", ".asc")
 # Name of a pantograph that the columns do not name; runs call their first one so.
 ONLY = "P1"
-# In m/s. No train on rails was faster (574.8 km/h, France, 2007): more is in another unit.
-FASTEST = 160.0
 # Names of columns that are not used, in a remark.
 NAMED = 5
 
@@ -86,22 +85,22 @@ def read(
 
 def _speed(speed: float | str) -> float:
     found = to_si(speed, "m/s")
-    if 0.0 < found <= FASTEST:
+    if 0.0 < found <= FASTEST_TRAIN:
         return found
     hint = "a number without a unit is in m/s" if found > 0.0 else None
     raise MeasurementError(
         "speed of a train", got=f"{found:g} m/s ({3.6 * found:.0f} km/h)",
-        expected=f"more than 0, at most {3.6 * FASTEST:.0f} km/h", hint=hint,
+        expected=f"more than 0, at most {3.6 * FASTEST_TRAIN:.0f} km/h", hint=hint,
     )  # fmt: skip
 
 
 def _check_speed(found: MeasuredPantograph, label: str) -> None:
     """Refuse a record whose speed no train has: a column is in another unit than it says."""
     usual = float(np.median(found.speed))
-    if usual > FASTEST:
+    if usual > FASTEST_TRAIN:
         raise MeasurementError(
             f"speed of pantograph {found.name}", where=label, got=f"{3.6 * usual:.0f} km/h",
-            expected=f"at most {3.6 * FASTEST:.0f} km/h",
+            expected=f"at most {3.6 * FASTEST_TRAIN:.0f} km/h",
             hint="are the units of time, position and speed the right ones?",
         )  # fmt: skip
 

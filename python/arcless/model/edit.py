@@ -43,7 +43,7 @@ def change(
     path
         Dotted path, items of lists numbered from 0; the number of items appends one. The value of
         ``{value: 22 kN, mark: A}`` is meant by the path of the mapping, unless a mapping with a
-        `value` is given.
+        `value` is given. In a variant ``set.line.contact_wire.tension`` is one entry of `set`.
     value
         A text as one would type it (``"12 kN"``), a number, true, false, None, a list or a mapping.
     label
@@ -64,7 +64,7 @@ def change(
     """
     root, data = _read(text, label)
     is_whole = isinstance(value, Mapping) and "value" in value
-    found = _found(root, path, label, into_value=not is_whole)
+    found = _found(root, _parts(path, data), label, into_value=not is_whole)
     try:
         patch = added(text, found, value) if found.missing else replaced(text, found, value)
     except ModelError as error:
@@ -80,7 +80,7 @@ def remove(text: str, path: str, label: str = "model file") -> Patch:
     A group or list whose last entry goes is left empty, as ``{}`` or ``[]``.
     """
     root, data = _read(text, label)
-    found = _found(root, path, label, into_value=False)
+    found = _found(root, _parts(path, data), label, into_value=False)
     if found.missing:
         raise ModelError(f"{plain(path)}: no such field", where=label)
     try:
@@ -143,8 +143,21 @@ def _read(text: str, label: str) -> tuple[Any, dict[str, Any]]:
     return compose(text, label), data
 
 
-def _found(root: Any, path: str, label: str, *, into_value: bool) -> NodePath:
-    parts: Path = tuple(path.split("."))
+def _parts(path: str, data: Mapping[str, Any]) -> Path:
+    """Return the keys of a path; a field in the `set` of a variant is one key with its dots."""
+    first, _, rest = path.partition(".")
+    if not (first == "set" and rest and "base" in data):
+        return tuple(path.split("."))
+    there = data.get("set")
+    names = there if isinstance(there, Mapping) else ()
+    known = [key for key in names if rest == key or rest.startswith(f"{key}.")]
+    key = max(known, key=len, default=rest)
+    inside = rest[len(key) + 1 :]
+    return (first, key, *(inside.split(".") if inside else ()))
+
+
+def _found(root: Any, parts: Path, label: str, *, into_value: bool) -> NodePath:
+    path = ".".join(map(str, parts))
     try:
         found = find(root, parts)
         # Found with the value of a mapping that has one.

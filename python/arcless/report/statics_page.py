@@ -81,6 +81,7 @@ def html(found: InitialConfiguration, *, resonance: Mapping[str, Any] | None = N
         as_built=as_built_rows(found),
         frequencies=[number(value, 3) for value in found.natural_frequencies_Hz],
         speeds=[_speed_row(one) for one in (resonance or {}).get("speeds", ())],
+        speed_notes=(resonance or {}).get("notes", ()),
         contents=[(key, title) for key, title in _CONTENTS if key in there],
         middle=found.middle_span,
         cut=(f"{line.begin:.0f}", f"{line.end:.0f}") if line.cut else None,

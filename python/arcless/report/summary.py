@@ -8,6 +8,8 @@ from typing import Any
 from arcless.assess import (
     MET,
     NOT_JUDGED,
+    NOT_MET,
+    NOT_MET_UNVERIFIED,
     RELATION_SIGNS,
     RULES,
     TOO_CLOSE,
@@ -103,6 +105,28 @@ def verdict(assessment: Assessment) -> Verdict:
     items += [text for each in told for text in each["doubts"]]
     sign = SIGNS[over_all.state]
     return Verdict(over_all.state, sign, over_all.text, over_all.rest, items)
+
+
+def leading(assessment: Assessment) -> Criterion | None:
+    """Return the criterion that a line of few words names: of the least favourable verdict.
+
+    Of several the one that is furthest beyond its limit, or nearest to it: the margin as a part of
+    the limit, of the mean force where the limit is a force of zero. Where all are met it is the
+    largest standard deviation; None where nothing has a value and a limit.
+    """
+    means = {one.name: one.mean_force_N for one in assessment.pantographs}
+
+    def share(one: Criterion) -> float:
+        size = abs(one.limit or 0.0) or abs(means.get(one.pantograph or "", 0.0)) or 1.0
+        return (one.margin or 0.0) / size
+
+    known = [one for one in assessment.criteria if one.value is not None and one.limit is not None]
+    for word in (NOT_MET, NOT_MET_UNVERIFIED, TOO_CLOSE):
+        of_word = [one for one in known if verdict_of(asdict(one)) == word]
+        if of_word:
+            return min(of_word, key=share)
+    deviations = [one for one in known if one.name == "standard_deviation"]
+    return max(deviations, key=lambda one: one.value or 0.0, default=None)
 
 
 def worst_place(run: RunData) -> str:

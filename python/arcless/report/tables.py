@@ -104,24 +104,31 @@ def computation(run: RunData, facts: Mapping[str, Any]) -> list[tuple[str, str]]
 def criterion_rows(assessment: Assessment) -> list[dict[str, Any]]:
     """Return the criteria as text; text that repeats the row above is left empty."""
     above = ["", *(c.name for c in assessment.criteria)]
-    digits = [decimals_of(asdict(c)) for c in assessment.criteria]
+    repeated = dict.fromkeys(("title", "source", "note"), "")
     return [
-        {
-            "title": "" if c.name == previous else c.title,
-            "pantograph": c.pantograph or "",
-            "value": pair(c.value, uncertainty_of(c.certainty), decimals),
-            "limit": _limit(c, decimals),
-            "margin": number(c.margin, decimals),
-            "unit": "" if c.unit == "1" else c.unit,
-            "verdict": verdict_of(asdict(c)),
-            "state": "missed" if c.fails else verdict_of(asdict(c)).split(" (")[0],
-            "mark": c.mark,
-            "source": "" if c.name == previous else c.source,
-            "note": "" if c.name == previous else c.note,
-            "reason": _reason(c),
-        }
-        for c, previous, decimals in zip(assessment.criteria, above, digits, strict=False)
+        criterion_row(c) | (repeated if c.name == previous else {})
+        for c, previous in zip(assessment.criteria, above, strict=False)
     ]
+
+
+def criterion_row(c: Criterion) -> dict[str, Any]:
+    """Return a criterion as text."""
+    decimals = decimals_of(asdict(c))
+    return {
+        "name": c.name,
+        "title": c.title,
+        "pantograph": c.pantograph or "",
+        "value": pair(c.value, uncertainty_of(c.certainty), decimals),
+        "limit": _limit(c, decimals),
+        "margin": number(c.margin, decimals),
+        "unit": "" if c.unit == "1" else c.unit,
+        "verdict": verdict_of(asdict(c)),
+        "state": "missed" if c.fails else verdict_of(asdict(c)).split(" (")[0],
+        "mark": c.mark,
+        "source": c.source,
+        "note": c.note,
+        "reason": _reason(c),
+    }
 
 
 def _limit(criterion: Criterion, decimals: int) -> str:

@@ -85,12 +85,15 @@ def run(
     started = time.perf_counter()
     job = lay_out(scenario, decided, tell, cancel)
     if watch is not None:
-        job = replace(job, viewer=Viewer(watch))
+        asked = any(placement.mean_force is not None for placement in scenario.pantographs)
+        job = replace(job, viewer=Viewer(watch, searching=asked))
     last = checkpoint.stop_step(job.travel, until)
     searching = observer(job.travel.steps, SEARCHING, tell, cancel)
     # The last run of a search is the run that is asked for, unless that stops early or is streamed.
     full = last == job.travel.steps and to is None
     search = find_forces(replace(job, observe=searching), full=full)
+    if job.viewer is not None:
+        job.viewer.searching = False
     sure = partial(_sure, job, search.forces, tell, cancel)
     part = Part(job, search.forces, started, command or f"arcless run {scenario.name}", sure)
     if to is None:

@@ -8,6 +8,7 @@ the next writer in the same folder.
 
 import secrets
 import shutil
+import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -91,6 +92,26 @@ def create_folder(path: Path) -> Claim:
             path.rmdir()
         claim.close()
         raise
+
+
+@contextmanager
+def temporary_folder() -> Iterator[Path]:
+    """Make a folder among the temporary files.
+
+    If this process is killed, `sweep_temporary` of a later one removes it.
+    """
+    path = Path(tempfile.gettempdir()) / new_name()
+    claim = create_folder(path)
+    try:
+        yield path
+    finally:
+        shutil.rmtree(path, ignore_errors=True)
+        claim.close()
+
+
+def sweep_temporary() -> None:
+    """Remove temporary folders that killed processes left."""
+    sweep(Path(tempfile.gettempdir()))
 
 
 def claim_folder(folder: Path) -> Lock | None:

@@ -6,7 +6,7 @@ import math
 import numpy as np
 import pytest
 
-from arcless.assess import Assessment, Criterion, assess
+from arcless.assess import Assessment, Criterion, assess, verdict_of
 from arcless.errors import ModelError
 from tests.support.synthetic import scenario_data, synthetic_dataset
 
@@ -367,6 +367,52 @@ def test_a_section_beyond_the_run_says_what_was_run_over() -> None:
     assert found.ran_over_m == [100.0, end]
     assert f"of which 100.0 m to {end:.1f} m" in found.section_words
     assert any("ran over" in note for note in found.notes)
+
+
+def test_deviations_over_less_than_two_spans_are_not_judged() -> None:
+    """Spans of 50 m, from 0 on; 50 N about 85 N miss limits that σ has a part in."""
+    dataset = synthetic_dataset(force=lambda t: 85.0 + sine(1.0, 50.0)(t))
+    deviations = {"standard_deviation", "statistical_max", "statistical_min"}
+
+    def verdicts(section: tuple[float, float]) -> dict[str, str]:
+        told = assess(dataset, section=section).to_dict()["criteria"]
+        return {one["name"]: verdict_of(one) for one in told}
+
+    whole = verdicts((200.0, 300.0))
+    assert whole["standard_deviation"] == "not met"
+    # Two spans from the middle of one to the middle of another, and an end typed a millimetre off.
+    assert verdicts((225.0, 325.0)) == verdicts((200.001, 300.0)) == whole
+    short = verdicts((200.0, 299.0))
+    assert {short[name] for name in deviations} == {"not judged"}
+    assert {name: one for name, one in short.items() if name not in deviations} == {
+        name: one for name, one in whole.items() if name not in deviations
+    }
+    found = assess(dataset, section=(200.0, 299.0))
+    sigma = next(one for one in found.criteria if one.name == "standard_deviation")
+    assert sigma.reason is not None
+    assert sigma.reason.startswith("too short: 1.98 spans, and fewer than 2 ")
+    assert sigma.value == pytest.approx(50.0 / math.sqrt(2.0), rel=0.02)  # 4.95 periods of 1 s
+    # What could be compared and is not judged is not met: no limit is missed, and none is praised.
+    assert found.passed
+    assert found.headline.state == "open"
+    assert found.headline.text.startswith("Not judged: ")
+    assert any("99 m, 1.98 spans, " in note for note in found.notes)
+
+
+def test_a_run_that_stops_within_two_spans_is_not_judged_by_its_deviation() -> None:
+    dataset = synthetic_dataset(duration_s=14.0)
+    (sigma,) = (one for one in assess(dataset).criteria if one.name == "standard_deviation")
+    assert sigma.passed is None  # it ran from 200 to 280 m
+    # At the last sample before the end of the second span both were run over.
+    whole = assess(synthetic_dataset(duration_s=14.999, section=(200.0, 300.0)))
+    (sigma,) = (one for one in whole.criteria if one.name == "standard_deviation")
+    assert sigma.passed
+
+
+def test_a_record_without_supports_is_judged_by_whatever_it_holds() -> None:
+    bare = synthetic_dataset(without=("support_x",), section=(200.0, 210.0))
+    (sigma,) = (one for one in assess(bare).criteria if one.name == "standard_deviation")
+    assert sigma.passed
 
 
 def test_a_section_of_some_metres_is_doubted() -> None:

@@ -20,6 +20,7 @@ from arcless.errors import ComparisonError
 from arcless.figures.description import Bars, Curve, Figure
 from arcless.model import load
 from arcless.results import Result
+from tests.support.beside import test_run as measured_run
 from tests.support.synthetic import scenario_data, synthetic_dataset
 
 # The mean of whole waves, filtered: what is left is rounding of 1e5 samples and the filter's edges.
@@ -129,6 +130,16 @@ def test_long_names_are_whole_once_and_short_in_heads(tmp_path: Path) -> None:
         assert cover[place] == (f"Run {place + 1}", f"{folder / 'result.nc'}; SHA-256 {digest}")
         assert page.replace("<wbr>", "").count(f">{folder / 'result.nc'}<") == 1
         assert page.count(digest) == 1
+
+
+def test_a_measurement_has_the_name_of_its_file_beside_runs_that_are_numbered(
+    tmp_path: Path,
+) -> None:
+    run = made(scenario={"name": "a scenario with a name that no column has room for"})
+    found = compare([run, measured_run(tmp_path / "site 2024-05-12 northbound.csv")])
+    assert found.names == ("run 1", "site 2024-05-12 northbound (measured)")
+    long = "site 2024-05-12 northbound with the second instrument, run 3"
+    assert compare([run, measured_run(tmp_path / f"{long}.csv")]).names == ("run 1", "measured 2")
 
 
 def test_a_long_name_that_no_file_says_is_told() -> None:

@@ -35,6 +35,18 @@ def test_a_pair_is_lifted_like_one_wire_of_twice_everything(dimension: str) -> N
     assert np.any(one.elasticity(x, 400.0) > 1.01 * one.elasticity(x))
 
 
+def test_places_far_away_change_no_bit() -> None:
+    """Elements beyond the places that are asked for are left out, and have no part in them."""
+    found = rest(plain_data(6))
+    x = found.elasticity_positions()
+    ends = found.positions[found.mesh.contact_nodes, 0]
+    together = np.concatenate([[ends.min()], x, [ends.max()]])
+    for force in (0.0, 120.0):
+        np.testing.assert_array_equal(
+            found.elasticity(together, force)[1:-1], found.elasticity(x, force)
+        )
+
+
 def test_droppers_that_lean_hardly_matter() -> None:
     # 20 mm aside over 1.8 m: cosines of 6e-5 from one, and some 1e-4 of tension across.
     close, usual = (rest(pair(separation=s), "spatial") for s in (1e-6, 0.04))

@@ -53,7 +53,15 @@ def test_a_tension_in_the_wrong_unit_is_named_before_anything_is_computed(wire: 
         equilibrium.find(scenario(**{f"{wire}__tension": 15.0}))
     text = str(caught.value)
     assert text.startswith(f"{wire}.tension: a wire that does not carry its own weight: got 15 N")
-    assert "look at its unit (N for kN?)" in text
+    assert text.endswith("hint: did you mean 15 kN? a number without a unit is in N")
+
+
+def test_a_tension_with_its_unit_is_not_asked_for_another_one() -> None:
+    with pytest.raises(EquilibriumError, match=r"look at its unit \(N for kN\?\)"):
+        equilibrium.find(scenario(contact_wire__tension="15 N"))
+    # A thousandth of a newton is no kilonewton either.
+    with pytest.raises(EquilibriumError, match=r"look at its unit \(N for kN\?\)"):
+        equilibrium.find(scenario(contact_wire__tension=1e-3))
 
 
 def test_a_loose_contact_wire_is_named_where_no_shape_is_found() -> None:

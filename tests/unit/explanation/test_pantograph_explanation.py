@@ -124,6 +124,9 @@ def test_every_number_is_there_as_plain_data() -> None:
 def test_a_section_of_less_than_two_spans_is_refused() -> None:
     with pytest.raises(ExplanationError, match=r"60 to 170 m, 1\.8 spans, expected at least 2"):
         explain_force(line_of(EQUAL), known(), ends=(60.0, 170.0))
+    # As many decimals as tell what was given from what is expected.
+    with pytest.raises(ExplanationError, match=r"60 to 179 m, 1\.98 spans, expected at least 2"):
+        explain_force(line_of(EQUAL), known(), ends=(60.0, 179.0))
     assert explain_force(line_of(EQUAL), known(), ends=(60.0, 180.0)).spans_in_section == 2.0
 
 

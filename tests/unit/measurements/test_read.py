@@ -131,6 +131,10 @@ REFUSED = {
         text("0,002,0,14,100,5"),
         r"run\.csv:2: wrong number of cells: got 6, expected 3.*decimal comma\? .*semicolons",
     ),
+    "another delimiter than the header": (
+        HEAD.replace(",", ";") + "\n" + "\n".join(ROWS),
+        r"run\.csv:2: wrong number of cells: got 1, .*separate the cells as those of the header",
+    ),
     "short row": (text(*ROWS[:4], "0.008,0.56"), r"run\.csv:6: wrong number of cells: got 2"),
     "long row": (text(*ROWS[:4], "0.008,0.56,1,2"), r"run\.csv:6: wrong number of cells: got 4"),
     "text in a number": (

@@ -289,3 +289,20 @@ def test_an_edited_scenario_loads(tmp_path: Path) -> None:
     edit_file(file, {"speed": "300 km/h", "contact.stiffness": "60 kN/m"})
     scenario = load(file)
     assert (scenario.as_typed("speed"), scenario.contact.stiffness) == ("300 km/h", 60000)
+
+
+def test_a_field_that_a_variant_sets_is_one_key() -> None:
+    text = (
+        "format: arcless-scenario/1\nname: v\nbase: b\nset:\n"
+        "  speed: 200 km/h\n  line.wire.tension: {value: 22 kN, mark: A}  # as drawn\n"
+    )
+    after = change(text, "set.line.wire.tension", "23 kN").apply(text)
+    assert after == text.replace("22 kN", "23 kN")
+    after = change(text, "set.line.wire.tension.mark", "B").apply(text)
+    assert after == text.replace("mark: A", "mark: B")
+    after = change(text, "set.line.wire.mass", "1 kg/m").apply(text)
+    assert after == f"{text}  line.wire.mass: 1 kg/m\n"
+    assert remove(text, "set.speed").apply(text) == text.replace("  speed: 200 km/h\n", "")
+    # Of what is no variant, dots lead into groups.
+    with pytest.raises(ModelError, match="no such field"):
+        remove(text.replace("base: b\n", ""), "set.line.wire.tension")

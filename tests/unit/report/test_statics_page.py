@@ -1,6 +1,7 @@
 """The page of a line at rest: whole, offline, with the numbers of all spans."""
 
 import re
+from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
@@ -54,6 +55,8 @@ def test_the_page_is_whole_and_loads_nothing(found: StaticsResult, tmp_path: Pat
     assert "Heights are drawn larger than lengths" in shown
     for one in found.resonance_speeds.to_dict()["speeds"]:
         assert one["source"] in shown
+    assert "576 km/h" in shown
+    assert f"Arcless {version('arcless')}, computed" in shown
 
 
 def test_the_tables_have_every_dropper_and_support(found: StaticsResult) -> None:

@@ -11,6 +11,7 @@ from arcless.report.summary import (
     LENGTH,
     bullets,
     grouped,
+    leading,
     verdict,
     worst_place,
 )
@@ -37,6 +38,43 @@ def test_the_least_favourable_verdict_is_the_headline() -> None:
         "standard deviation σ",
         "statistical minimum F_m − 3σ",
     ]
+
+
+def test_the_leading_criterion_is_the_one_that_is_missed_worst() -> None:
+    # σ is 42 N of a mean of 100 N, 41 % beyond 0.3 F_m; F_m − 3σ is −27 N, 27 % of F_m below zero.
+    shaken = assess(synthetic_dataset(force=lambda t: 100.0 + 60.0 * np.sin(2.0 * np.pi * t)))
+    lead = leading(shaken)
+    assert lead is not None
+    assert lead.name == "standard_deviation"
+    # The wave speed is one half beyond its limit.
+    worse = [
+        replace(one, value=1.5 * one.limit, passed=False)  # type: ignore[operator]
+        if one.name == "wave_speed_use" else one for one in shaken.criteria
+    ]  # fmt: skip
+    lead = leading(replace(shaken, criteria=worse))
+    assert lead is not None
+    assert lead.name == "wave_speed_use"
+    # Of a force whose limit is zero the mean force is the measure: −60 N of 100 N are 60 %.
+    worst = [
+        replace(one, value=-60.0, passed=False) if one.name == "statistical_min" else one
+        for one in worse
+    ]
+    lead = leading(replace(shaken, criteria=worst))
+    assert lead is not None
+    assert lead.name == "statistical_min"
+
+
+def test_where_all_are_met_the_largest_deviation_leads() -> None:
+    met = assess(synthetic_dataset(pantographs=("P1", "P2"), duration_s=40.0))
+    criteria = [
+        replace(one, value=7.0) if (one.name, one.pantograph) == ("standard_deviation", "P2")
+        else replace(one, passed=True) if one.passed is False else one
+        for one in met.criteria
+    ]  # fmt: skip
+    lead = leading(replace(met, criteria=criteria))
+    assert lead is not None
+    assert (lead.name, lead.pantograph) == ("standard_deviation", "P2")
+    assert leading(replace(met, criteria=[])) is None
 
 
 def test_everything_met() -> None:

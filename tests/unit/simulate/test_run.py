@@ -193,9 +193,17 @@ def test_droppers_that_cannot_slacken_stay_taut(run: Run) -> None:
 
 def test_progress_rises_and_ends_with_1(short: Short) -> None:
     told: list[tuple[float, str]] = []
-    arcless.run(short(), progress=lambda fraction, text: told.append((fraction, text)))
-    assert told[0] == (0.0, "static equilibrium")
+    found = arcless.run(short(), progress=lambda fraction, text: told.append((fraction, text)))
     assert told[-1] == (1.0, "done")
+    phases = list(dict.fromkeys(text.partition(",")[0] for _, text in told))
+    assert phases == [
+        "finding the line at rest", "preparing the steps", "stepping",
+        "finding the elasticity of the line", "done",
+    ]  # fmt: skip
+    length = found.metadata["simulated_time_s"]
+    for fraction, text in told:
+        if text.startswith("stepping"):
+            assert text == f"stepping, {fraction * length:.1f} of {length:.1f} s"
     fractions = [fraction for fraction, _ in told]
     assert fractions == sorted(fractions)
     assert all(0 <= fraction <= 1 for fraction in fractions)

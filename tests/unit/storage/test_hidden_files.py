@@ -16,6 +16,17 @@ HERE = {hidden_files.__file__, lock.__file__}
 ANSWERING = ("CALL", "RESUME", "JUMP_BACKWARD")
 
 
+def test_a_temporary_folder_goes_with_its_block(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
+    with hidden_files.temporary_folder() as folder:
+        (folder / "file").write_bytes(b"content")
+        hidden_files.sweep_temporary()  # somebody is at work there
+        assert (folder / "file").exists()
+    assert list(tmp_path.iterdir()) == []
+
+
 def interrupted(work: Callable[[], Any], place: int) -> bool:
     """Work, and be interrupted at a place in these modules; return whether there was one."""
     seen = 0

@@ -243,8 +243,8 @@ def test_a_variant_too_close_to_tell_leaves_its_criterion_out(
     from arcless.assess import criteria
     from arcless.assess.rules import Limit, Rule
 
-    spans = [{"type": "span", "count": 6}]
-    room = {"travel": {"start": 60, "end": 250}, "analysis": {"from": 160, "to": 240}}
+    spans = [{"type": "span", "count": 7}]
+    room = {"travel": {"start": 60, "end": 310}, "analysis": {"from": 160, "to": 290}}
     forces = {"force": {"field": "pantographs.0.static_force", "values": [60, 100, 140]}}
     made = study(
         set={

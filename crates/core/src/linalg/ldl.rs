@@ -191,6 +191,12 @@ impl<const D: usize> BlockLdl<D> {
         self.substitution.solve(0..x.len(), x, &[], work);
     }
 
+    /// Solves for an `x` that is zero except at the nodes `loaded`, and is wanted there alone: the
+    /// values are those of [`solve`](Self::solve). `work` is scratch space of equal length.
+    pub fn solve_at(&self, x: &mut [[f64; D]], loaded: &[usize], work: &mut [[f64; D]]) {
+        self.substitution.solve_behind(x, loaded, work);
+    }
+
     /// Solves and subtracts, `x ← A⁻¹ x − minus`, on some islands, without another pass over the
     /// vectors. The values of other nodes are neither read nor written.
     pub fn solve_minus(

@@ -149,6 +149,21 @@ impl<const D: usize> Substitution<D> {
         });
     }
 
+    /// Solves `x ← A⁻¹ x` where x is zero except at `loaded`, at nodes that are not eliminated
+    /// before all of these; x stays zero at the others. The values are those of
+    /// [`solve`](Self::solve), bit for bit: rows that only hold zeros, or that nobody reads, are
+    /// passed over.
+    pub(super) fn solve_behind(&self, x: &mut [[f64; D]], loaded: &[usize], work: &mut [[f64; D]]) {
+        let positions = loaded.iter().map(|&node| self.position[node] as usize);
+        let first = positions.min().unwrap_or(self.inverse.len());
+        widest(LastRows {
+            factor: self,
+            x,
+            work,
+            first,
+        });
+    }
+
     /// Solves `x ← A⁻¹ x` where x is zero except at `loaded`, as far as the solution is not
     /// negligible; `work` is zero before and after. Returns the range of nodes outside of which x
     /// is zero.
@@ -238,6 +253,27 @@ impl<const D: usize> Kernel for IslandSolve<'_, D> {
         let minus = self.minus[nodes].as_flattened();
         for ((x, value), minus) in x.iter_mut().zip(work).zip(minus) {
             *x = value - minus;
+        }
+    }
+}
+
+struct LastRows<'a, const D: usize> {
+    factor: &'a Substitution<D>,
+    x: &'a mut [[f64; D]],
+    work: &'a mut [[f64; D]],
+    /// Position of the first row.
+    first: usize,
+}
+
+impl<const D: usize> Kernel for LastRows<'_, D> {
+    #[inline(always)]
+    fn run(self) {
+        let (factor, first) = (self.factor, self.first);
+        let all = factor.inverse.len();
+        factor.sweep_forward(first..all, self.x, self.work, |_, _| false);
+        factor.sweep_backward(0..all - first, self.work, |_, _| false);
+        for row in &factor.forward.rows[first..] {
+            self.x[row.node as usize] = self.work[row.node as usize];
         }
     }
 }

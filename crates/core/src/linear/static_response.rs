@@ -267,6 +267,13 @@ pub(crate) fn compliance_matrix<const DIM: usize, const D: usize>(
             .filter(|(link, _)| !is_slack(*link))
             .collect::<Vec<_>>()
     };
+    // Forces act there, and displacements are read there.
+    let touched = points.iter().flat_map(|(point, compliance)| {
+        let of_links = taut_links(compliance).into_iter();
+        let of_links = of_links.flat_map(|(link, _)| line.links[link].nodes);
+        point.nodes.into_iter().chain(of_links)
+    });
+    let touched: Vec<usize> = touched.collect();
     for (k, (source, source_compliance)) in points.iter().enumerate() {
         let mut u = vec![[0.0; D]; line.nodes()];
         source.add_force(1.0, DIM - 1, &mut u);
@@ -275,7 +282,7 @@ pub(crate) fn compliance_matrix<const DIM: usize, const D: usize>(
             link.add_to(link.stiffness * rise, &mut u);
         }
         line.mask(&mut u);
-        factor.solve(&mut u, &mut scratch);
+        factor.solve_at(&mut u, &touched, &mut scratch);
         for (i, (target, target_compliance)) in points.iter().enumerate() {
             let mut displacement = target.displacement(&u, DIM - 1);
             for (link, rise) in taut_links(target_compliance) {

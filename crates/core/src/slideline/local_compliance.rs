@@ -92,6 +92,16 @@ impl LocalCompliance {
 }
 
 impl ElementCompliance {
+    /// Element without residual flexibility.
+    pub(super) fn none(beam: StringBeam) -> Self {
+        Self {
+            beam,
+            pairs: vec![ElementGreenFunction::default()],
+            static_height: NodeGreenFunction::default(),
+            links: Vec::new(),
+        }
+    }
+
     /// Exact and cubic shape functions at a point with the given ones of the mesh.
     fn shapes(&self, weights: &[f64; 4]) -> ShapeFunctions {
         // A straight line is a cubic, so ξ = N₂ + (N₁′ + N₂′)/ℓ.

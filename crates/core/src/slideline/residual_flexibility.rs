@@ -55,12 +55,7 @@ fn element(
     ahead: &[usize],
 ) -> ElementCompliance {
     let beam = *network.beam(wire);
-    let mut compliance = ElementCompliance {
-        beam,
-        pairs: vec![ElementGreenFunction::default()],
-        static_height: NodeGreenFunction::default(),
-        links: Vec::new(),
-    };
+    let mut compliance = ElementCompliance::none(beam);
     let Some(patch) = Patch::new(network, nodes) else {
         return compliance;
     };
@@ -92,10 +87,24 @@ impl<const DIM: usize> Slideline<DIM> {
     /// Slidelines with the residual flexibility of their wires; `lists` are their elements.
     #[must_use]
     pub fn with_residual_flexibility<const D: usize>(
+        slidelines: Vec<Self>,
+        geometry: &Geometry<DIM, D>,
+        shape: &Shape<D>,
+        lists: &[Vec<usize>],
+    ) -> Vec<Self> {
+        let everywhere = (f64::NEG_INFINITY, f64::INFINITY);
+        Self::with_residual_flexibility_between(slidelines, geometry, shape, lists, everywhere)
+    }
+
+    /// Slidelines with the residual flexibility of elements that reach into a stretch between two
+    /// coordinates along the track, m; beyond it they have none, and no point may be asked for.
+    #[must_use]
+    pub fn with_residual_flexibility_between<const D: usize>(
         mut slidelines: Vec<Self>,
         geometry: &Geometry<DIM, D>,
         shape: &Shape<D>,
         lists: &[Vec<usize>],
+        (from, to): (f64, f64),
     ) -> Vec<Self> {
         let network = geometry.wire_network(Some(shape));
         let sources = Sources::new(geometry, shape);
@@ -104,6 +113,10 @@ impl<const DIM: usize> Slideline<DIM> {
                 let is_same_wire = |other: &usize| slideline.wires[*other] == slideline.wires[k];
                 let next = (k + 1..wires.len().min(k + ELEMENTS_AHEAD)).take_while(is_same_wire);
                 let ahead: Vec<usize> = next.map(|k| wires[k]).collect();
+                let (first, last) = slideline.elements[k].range();
+                if last < from || to < first {
+                    return ElementCompliance::none(*network.beam(wire));
+                }
                 element(&network, &sources, (wire, &slideline.ends[k]), &ahead)
             });
             slideline.compliances = LocalCompliances::OfCubics(Arc::new(compliances.collect()));

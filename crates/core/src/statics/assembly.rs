@@ -1,5 +1,6 @@
 //! Internal forces, weight and tangent stiffness of a structure in a given shape.
 
+use super::relaxation::Pace;
 use crate::element::bar::BarState;
 use crate::element::frame::{self, Frame};
 use crate::element::hermite::{self, Coordinates};
@@ -17,6 +18,8 @@ pub type Shape<const D: usize> = Vec<[f64; D]>;
 pub struct Geometry<const DIM: usize, const D: usize> {
     /// Structure; the design calculation completes its unknown lengths.
     pub structure: Structure,
+    /// Pace at which the design calculation found them.
+    pub(super) pace: Pace,
 }
 
 /// Number of iterations after which an equilibrium changes by rounding alone; a line takes 10 to
@@ -42,7 +45,10 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
     /// [`CoreError::Input`] when indices, signs or numbers are impossible.
     pub fn new(structure: Structure) -> Result<Self, CoreError> {
         crate::structure_check::check(&structure, DIM, D / DIM)?;
-        Ok(Self { structure })
+        Ok(Self {
+            structure,
+            pace: Pace::Uniform(1.0),
+        })
     }
 
     /// Number of nodes.

@@ -19,15 +19,20 @@
 
 use super::assembly::{Geometry, Shape, add_pair, largest_residual};
 use super::newton::Newton;
-use super::relaxation::{LengthRelaxation, length_change};
+use super::relaxation::{LengthRelaxation, Pace, length_change};
 use crate::element::hermite;
 use crate::error::CoreError;
 use crate::linalg::SymmetricBlocks;
-use crate::structure::{SpringMode, Wire};
+use crate::structure::{SpringMode, Structure, Wire};
 
 /// Relaxation factors tried when full corrections do not converge: wires that sag far, or that
 /// hardly stretch.
 const RELAXATIONS: [f64; 2] = [0.4, 0.15];
+
+/// Share of the imbalance that an iteration may leave with the factor of an earlier tangent; exact
+/// ones leave a third to two thirds. Smaller, the tangent is factorised where that is of no use;
+/// larger, more iterations are taken than factorising would.
+const STALE: f64 = 0.8;
 
 /// Tolerance of the change of a held height, m: forces of the tolerance times R, a few 1e-6 m/N,
 /// stay below it.
@@ -41,36 +46,100 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
     /// a tension-only link would have to push.
     pub fn design(&mut self) -> Result<Shape<D>, CoreError> {
         let given = self.structure.clone();
-        let mut result = self.design_with(LengthRelaxation::uniform(1.0));
-        let elements = given.wires.len() + given.segments.len();
-        let slower = RELAXATIONS.map(LengthRelaxation::uniform);
-        for relaxation in slower
-            .into_iter()
-            .chain([LengthRelaxation::per_element(elements)])
-        {
-            let is_not_found = matches!(
-                result,
-                Err(CoreError::NoEquilibrium { .. } | CoreError::Singular { .. })
-            );
-            if is_not_found {
+        let start = self.initial_shape();
+        let mut result = self.design_with(Pace::Uniform(1.0), start.clone(), false);
+        let slower = RELAXATIONS.map(Pace::Uniform);
+        for pace in slower.into_iter().chain([Pace::PerElement]) {
+            if is_not_found(&result) {
                 self.structure = given.clone();
-                result = self.design_with(relaxation);
+                result = self.design_with(pace, start.clone(), false);
             }
         }
         result
     }
 
-    /// Attempts the design calculation with relaxation factors on the length corrections.
-    fn design_with(&mut self, mut relaxation: LengthRelaxation) -> Result<Shape<D>, CoreError> {
+    /// Finds the same as [`design`](Self::design), sooner where a line like it is known: from the
+    /// shape and lengths of `other`, at its pace, with a tangent that is kept as long as the
+    /// balance becomes better with it. It ends by the same bounds of forces and heights, so that
+    /// both results differ by rounding alone. A line of other elements, or so different that this
+    /// fails, is found as without `other`.
+    ///
+    /// # Errors
+    /// As [`design`](Self::design).
+    pub fn design_near(
+        &mut self,
+        other: &Self,
+        shape_of_other: &Shape<D>,
+    ) -> Result<Shape<D>, CoreError> {
+        if !self.is_alike(other) {
+            return self.design();
+        }
+        let given = self.structure.clone();
+        let (free, mut start) = (self.design_mask(), self.initial_shape());
+        for ((node, mask), near) in start.iter_mut().zip(&free).zip(shape_of_other) {
+            (0..D).filter(|&c| mask[c]).for_each(|c| node[c] = near[c]);
+        }
+        self.take_lengths(other);
+        let result = self.design_with(other.pace, start, true);
+        if is_not_found(&result) {
+            self.structure = given;
+            return self.design();
+        }
+        result
+    }
+
+    /// Tells whether a line has the same nodes and elements as another one.
+    fn is_alike(&self, other: &Self) -> bool {
+        let (a, b) = (&self.structure, &other.structure);
+        fn wires(s: &Structure) -> impl Iterator<Item = ([usize; 2], [usize; 2])> {
+            s.wires.iter().map(|w| (w.nodes, w.slope_nodes))
+        }
+        let segments = |s: &Structure| -> Vec<_> { s.segments.iter().map(|k| k.nodes).collect() };
+        a.positions.len() == b.positions.len()
+            && wires(a).eq(wires(b))
+            && segments(a) == segments(b)
+    }
+
+    /// Takes the lengths of elements from a line that is alike, as long as it lies along the track.
+    fn take_lengths(&mut self, other: &Self) {
+        let (own, theirs) = (&self.structure.positions, &other.structure.positions);
+        let longer = |[a, b]: [usize; 2]| {
+            let ratio = (own[b][0] - own[a][0]) / (theirs[b][0] - theirs[a][0]);
+            // Of a bridle that hangs down, both may be zero.
+            if ratio.is_finite() && ratio > 0.0 {
+                ratio
+            } else {
+                1.0
+            }
+        };
+        let pairs = self.structure.wires.iter_mut().zip(&other.structure.wires);
+        for (wire, known) in pairs {
+            wire.section.rest_length = known.section.rest_length * longer(wire.nodes);
+        }
+        let pairs = self.structure.segments.iter_mut();
+        for (segment, known) in pairs.zip(&other.structure.segments) {
+            segment.rest_length = known.rest_length * longer(segment.nodes);
+        }
+    }
+
+    /// Attempts the design calculation from a shape, at a pace of the length corrections; with
+    /// `keeps_tangent` one tangent serves several steps.
+    fn design_with(
+        &mut self,
+        pace: Pace,
+        mut shape: Shape<D>,
+        keeps_tangent: bool,
+    ) -> Result<Shape<D>, CoreError> {
+        let elements = self.structure.wires.len() + self.structure.segments.len();
+        let mut relaxation = LengthRelaxation::new(pace, elements);
         let free = self.design_mask();
-        let mut shape = self.initial_shape();
         let mut residual = vec![[0.0; D]; self.nodes()];
         let mut tensions = vec![0.0; self.structure.links.len()];
         let mut k = self.empty_matrix();
         let mut newton = Newton::new(&k, &free);
         let tolerance = self.force_rounding();
         let mut worst = (f64::INFINITY, 0);
-        let mut iterations = 0;
+        let (mut iterations, mut imbalance) = (0, 0.0);
         for iteration in 0..relaxation.most_iterations() {
             iterations = iteration + 1;
             let rounding = Self::rounding_after(iteration, tolerance);
@@ -83,10 +152,16 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
             let moved = self.hold_real_heights(&mut shape);
             if worst.0 <= rounding && tension_error <= rounding && moved <= HEIGHT_TOLERANCE {
                 self.store_lengths(&shape, &held, &tensions)?;
+                self.pace = pace;
                 return Ok(shape);
             }
-            self.design_tangent(&shape, &tensions, &mut k);
-            newton.step(&mut k, &residual, &mut shape)?;
+            let before = std::mem::replace(&mut imbalance, worst.0.max(tension_error));
+            if keeps_tangent && imbalance <= STALE * before {
+                newton.step_again(&residual, &mut shape);
+            } else {
+                self.design_tangent(&shape, &tensions, &mut k);
+                newton.step(&mut k, &residual, &mut shape)?;
+            }
         }
         Err(CoreError::NoEquilibrium {
             iterations,
@@ -289,4 +364,12 @@ impl<const DIM: usize, const D: usize> Geometry<DIM, D> {
         }
         Ok(())
     }
+}
+
+/// Tells whether an attempt ended without a shape.
+fn is_not_found<T>(result: &Result<T, CoreError>) -> bool {
+    matches!(
+        result,
+        Err(CoreError::NoEquilibrium { .. } | CoreError::Singular { .. })
+    )
 }

@@ -52,6 +52,13 @@ impl<'a, const D: usize> Newton<'a, D> {
         shape: &mut Shape<D>,
     ) -> Result<(), CoreError> {
         self.factorise(k)?;
+        self.step_again(residual, shape);
+        Ok(())
+    }
+
+    /// Takes one step from `shape`, which has the given residual, with the factor of the step
+    /// before.
+    pub(super) fn step_again(&mut self, residual: &Shape<D>, shape: &mut Shape<D>) {
         let free = residual.iter().zip(self.free);
         for (value, (force, mask)) in self.correction.iter_mut().zip(free) {
             (0..D).for_each(|c| value[c] = if mask[c] { force[c] } else { 0.0 });
@@ -62,6 +69,5 @@ impl<'a, const D: usize> Newton<'a, D> {
         for (node, delta) in shape.iter_mut().zip(&self.correction) {
             (0..D).for_each(|c| node[c] -= delta[c]);
         }
-        Ok(())
     }
 }

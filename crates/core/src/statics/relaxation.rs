@@ -6,6 +6,15 @@ const MOST_ITERATIONS: usize = 200;
 /// Bound on the iterations where each element has its own relaxation factor.
 const MOST_ITERATIONS_PER_ELEMENT: usize = 500;
 
+/// Way in which lengths follow their errors; what made a line converge suits those like it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Pace {
+    /// One factor for all elements.
+    Uniform(f64),
+    /// Factors of their own.
+    PerElement,
+}
+
 /// Relaxation factors of the length corrections: one for all elements, or one for each. Where a
 /// stiffer neighbour holds a steep element, its slope does not follow the force, and the full
 /// correction is too large by up to EA z′²/T.
@@ -17,8 +26,16 @@ pub(super) struct LengthRelaxation {
 }
 
 impl LengthRelaxation {
+    /// Relaxation factors at the start, for a number of elements.
+    pub(super) fn new(pace: Pace, elements: usize) -> Self {
+        match pace {
+            Pace::Uniform(factor) => Self::uniform(factor),
+            Pace::PerElement => Self::per_element(elements),
+        }
+    }
+
     /// One factor for all elements.
-    pub(super) fn uniform(factor: f64) -> Self {
+    fn uniform(factor: f64) -> Self {
         Self {
             uniform: factor,
             per_element: Vec::new(),
@@ -26,7 +43,7 @@ impl LengthRelaxation {
     }
 
     /// Factors of their own for a number of elements.
-    pub(super) fn per_element(elements: usize) -> Self {
+    fn per_element(elements: usize) -> Self {
         Self {
             uniform: 1.0,
             per_element: vec![(1.0, 0.0); elements],

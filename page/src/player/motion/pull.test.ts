@@ -48,6 +48,7 @@ const answer = (dropped = 0, to_s?: number) => {
 const now = { time: 0, rate: 1, start: 0, edge: 10, row: 0.01 };
 
 let opened: Opened[];
+let closed: string[];
 let pull: Pull;
 let store: Store;
 
@@ -55,13 +56,26 @@ beforeEach(() => {
   for (const one of [server.hearers, server.takers, server.opened]) one.clear();
   server.told.length = 0;
   opened = [];
+  closed = [];
   store = new Store();
   pull = new Pull(source, store, new History(), {
     opened: (about) => void opened.push(about), edge: () => undefined, changed: () => undefined, failed: () => undefined,
+    closed: (text) => void closed.push(text),
   });
 });
 
 describe("a motion that is pulled", () => {
+  test("that a new server does not know is asked for no more", () => {
+    announce(7);
+    frame(7, 0.5);
+    for (const act of server.opened) act();
+    say({ topic: "error", source, about: "play", text: "there is no such job" });
+    pull.update(now);
+    expect(wants()).toEqual([]);
+    expect(closed).toEqual(["there is no such job"]);
+    expect(store.moments).toEqual([0.5]);
+  });
+
   test("is opened, asked for once at a time, and stored", () => {
     expect(server.told).toEqual([{ topic: "play", source }]);
     pull.update(now);

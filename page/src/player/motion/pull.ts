@@ -30,6 +30,8 @@ export interface Opened {
   wires: boolean;
   /** The run began again: a static force did not give the mean force. What was sent is void. */
   again?: boolean;
+  /** Which attempt of a search for the static force it is, from 1; `null`: it is the run. */
+  search?: number | null;
   /** End of the whole run, of one that is being computed. */
   estimated_end_s?: number;
 }
@@ -40,6 +42,8 @@ export interface Listener {
   /** Frames have come, or a question was answered. */
   changed(): void;
   failed(text: string): void;
+  /** The source is not there any more: what was received is all. */
+  closed(text: string): void;
 }
 
 interface Question extends Wish {
@@ -76,7 +80,7 @@ export class Pull {
       hear("channels", mine((message) => this.announced(message as unknown as Opened))),
       hear("edge", mine((message) => listener.edge(message["end_s"] as number, message["final"] as boolean))),
       hear("sent", mine((message) => this.answered(message))),
-      hear("error", mine((message) => listener.failed(message["text"] as string))),
+      hear("error", mine((message) => this.refused(message["about"], message["text"] as string))),
       whenOpen(() => {
         this.asked = null;
         tell({ topic: "play", source });
@@ -101,6 +105,13 @@ export class Pull {
     );
     this.asked = null;
     this.listener.opened(about);
+  }
+
+  private refused(about: unknown, text: string): void {
+    if (about !== "play") return this.listener.failed(text);
+    for (const end of this.takers) end();
+    this.takers = [];
+    this.listener.closed(text);
   }
 
   private answered(message: Message): void {

@@ -11,7 +11,7 @@ import { standAt } from "../places.ts";
 import { history, scene, state } from "../player.ts";
 import { colourOf } from "./pantographs.ts";
 import { printing } from "./repaint.ts";
-import { stored, type Column } from "./columns.ts";
+import { columnEnds, stored, type Ends } from "./columns.ts";
 
 const HEIGHT_APART = 26; // px
 const ZOOM = 1.2;
@@ -72,9 +72,6 @@ function cursors(on: Axis): void {
   if (cursor.value !== null) line(cursor.value, "accent", 1);
 }
 
-/** Lowest and highest value in each column of pixels; `null` where there is none. */
-type Ends = (from: number, to: number) => [number, number] | null;
-
 function curve(on: Axis, ends: Ends, name: string, width: number): void {
   const { context } = on;
   context.strokeStyle = on.colour(name);
@@ -96,26 +93,12 @@ function curve(on: Axis, ends: Ends, name: string, width: number): void {
   context.stroke();
 }
 
-const columnEnds = ({ x, low, high }: Column): Ends => {
-  let at = 0;
-  return (from, to) => {
-    while (at > 0 && x[at - 1]! >= from) at--;
-    while (at < x.length && x[at]! < from) at++;
-    let found: [number, number] | null = null;
-    for (; at < x.length && x[at]! < to; at++) {
-      const value: [number, number] = [low[at]!, high[at]!];
-      found = found ? [Math.min(found[0], value[0]), Math.max(found[1], value[1])] : value;
-    }
-    return found;
-  };
-};
-
 function paintForce(sheet: Sheet): void {
   const columns = stored.value;
-  let largest = FORCE_STEP;
+  let largest = Math.max(FORCE_STEP, columns.top);
   const raw = state.current.pantographs.map((_, number) => columns.raw[number] ?? null);
   raw.forEach((column, number) => {
-    const top = column ? Math.max(0, ...column.high) : (history.force[number]?.ends(...sight.value)?.[1] ?? 0);
+    const top = column ? 0 : (history.force[number]?.ends(...sight.value)?.[1] ?? 0);
     if (top > largest) largest = top;
   });
   const high = Math.ceil(largest / FORCE_STEP) * FORCE_STEP;

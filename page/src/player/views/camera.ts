@@ -45,5 +45,5 @@ export function followCamera(): void {
   const isFirst = mine === null;
   mine = kept([x - PLACE * length, x + (1 - PLACE) * length], whole(line));
   if (isFirst) look(mine); // heights that fill the picture of the whole line are cut in that of a part
-  else range.value = mine;
+  else if (!seen || mine.some((end, at) => Math.abs(end - seen[at]!) > SAME)) range.value = mine;
 }

@@ -59,13 +59,16 @@ def compare(
         ),
     ] = "correlation",
     align_by: Annotated[
-        str,
+        str | None,
         typer.Option(
             "--align-by",
             metavar="CHANNEL",
-            help="The channel that is aligned: `force`, or `height` of the contact point.",
+            help="The channel that is aligned: `force`, or `height` of the contact point. If not"
+            " given, the force, or the height where the force is that of sensors below the strips"
+            " without --head-mass.",
+            show_default=False,
         ),
-    ] = "force",
+    ] = None,
     offset: Annotated[
         str | None,
         typer.Option(
@@ -158,7 +161,7 @@ def _show(compared: "Comparison") -> None:
 
 
 def _aligning(
-    ways: tuple[str, str],
+    ways: tuple[str, str | None],
     offset: str | None,
     scale: float | None,
     *,

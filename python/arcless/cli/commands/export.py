@@ -7,11 +7,21 @@ import typer
 
 from arcless.cli.arguments.scenario import JsonOption
 from arcless.cli.commands.saved_results import ResultArgument
+from arcless.cli.completion import names
 from arcless.cli.terminal import console
 
 
 def export(
-    result: ResultArgument,
+    result: Annotated[
+        Path,
+        typer.Argument(
+            metavar="RUN|STUDY",
+            help="A run: the folder that `arcless run` wrote, or the result.nc in it. Or a study:"
+            " its folder.",
+            autocompletion=names.runs_and_studies,
+            show_default=False,
+        ),
+    ],
     *,
     to: Annotated[
         Path,
@@ -23,17 +33,30 @@ def export(
         ),
     ],
 ) -> None:
-    """Write a saved run as CSV, Excel, MATLAB or Parquet.
+    """Write a saved run, or the table of a study, for other programs.
 
     .csv and .parquet have contact channels over time, the filtered contact force among them, with
     units in the header; .mat has droppers and supports as well, and what supports carry over time;
-    .xlsx also assessment and criteria.
+    .xlsx also assessment and criteria. Recorded motion of the wires stays in result.nc, and a note
+    says so. The table of a study goes to .csv and .xlsx, a row for each variant.
     """
     from arcless.results import open as open_result
     from arcless.results.export.files import check_target
+    from arcless.results.kept_runs.places import study_folder
 
     check_target(to)
-    open_result(result).export(to)
+    if (folder := study_folder(result)) is not None:
+        from arcless.study import open as open_study
+
+        open_study(folder).export(to)
+        console.data(f"wrote {to}")
+        return
+    run = open_result(result)
+    run.export(to)
+    if "motion_up" in run.latest:
+        console.note(
+            "the recorded motion of the wires is not exported: result.nc has it, a NetCDF file"
+        )
     console.data(f"wrote {to}")
 
 

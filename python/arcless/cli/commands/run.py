@@ -80,7 +80,8 @@ def run(
     it. With --until, only result.nc is written, from which `arcless resume` continues. With
     --certainty, every number comes with its spread over starts and its error of discretisation.
 
-    Exit code 1: the computation failed, and nothing is written. Exit code 3: everything is written,
+    Exit code 1: the computation failed, and nothing is written. Exit code 2: the input is wrong,
+    also where the line cannot hang as the file says. Exit code 3: everything is written,
     and a criterion is not met. Limits that were not read in a source (marks C, C* and assumed) are
     shown and set no exit code, nor do criteria too close to tell. Ranges of reference cases decide
     nothing here; `arcless validate` is for them.
@@ -90,14 +91,16 @@ def run(
     with permanent_objects():
         from arcless.results import RESULT_NAME
         from arcless.results.run_folder.run_folder import folder_of, for_run
+        from arcless.simulate.checks import faults_of
 
     with for_run(out or folder_of(chosen), overwrite=overwrite) as folder:
         _tell_size(chosen, quiet=quiet)
         command = _command(scenario, speed, set_, certainty)
-        result = _simulate(
-            chosen, until, folder.file(RESULT_NAME), command, quiet=quiet,
-            meanwhile=lambda: outcome.import_ahead(report=not no_report and until is None),
-        )  # fmt: skip
+        with faults_of(scenario):
+            result = _simulate(
+                chosen, until, folder.file(RESULT_NAME), command, quiet=quiet,
+                meanwhile=lambda: outcome.import_ahead(report=not no_report and until is None),
+            )  # fmt: skip
         written = outcome.write(result, folder, report=not no_report)
     outcome.tell(result, written, json=json, quiet=quiet)
 
@@ -158,11 +161,11 @@ def _tell_size(scenario: "Scenario", *, quiet: bool) -> None:
     if scenario.output.motion is None or quiet:
         return
     from arcless.simulate.checks import faults_of
-    from arcless.simulate.recording.motion import motion_bytes
+    from arcless.simulate.recording.motion import interval_s, motion_bytes
 
     with faults_of(scenario.name):
-        size = motion_bytes(scenario)
-    console.note(f"the motion of the wires is recorded: {size / 1e6:.3g} MB before compression")
+        size, every = motion_bytes(scenario), 1e3 * interval_s(scenario, scenario.output.motion)
+    console.note(f"the motion of the wires is recorded every {every:.3g} ms: {size / 1e6:.3g} MB")
 
 
 def _simulate(

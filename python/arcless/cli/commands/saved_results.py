@@ -216,7 +216,7 @@ def _measured(
     except (MeasurementError, ModelError) as error:  # all others name the file
         error.where = "--speed" if error.where is None else error.where
         raise
-    given = {} if cutoff is None else {"low_pass_Hz": cutoff}
+    given: dict[str, Any] = {} if cutoff is None else {"low_pass_Hz": cutoff}
     found = assess_measurement(measurement, supply=supply, section=section, **given)
     if report is not None:
         write_report(measurement, found, report)

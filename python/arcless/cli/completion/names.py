@@ -52,6 +52,11 @@ def runs(incomplete: str) -> list[str]:
     return _fitting(incomplete, [*_begun(RUNS, "result.nc"), *_files((RESULT,))])
 
 
+def runs_and_studies(incomplete: str) -> list[str]:
+    """Return folders of runs and of studies, and results here."""
+    return [*runs(incomplete), *_fitting(incomplete, _begun(STUDIES, "study.json"))]
+
+
 def runs_and_measurements(incomplete: str) -> list[str]:
     """Return folders of runs, and results and measurements here."""
     return [*runs(incomplete), *_fitting(incomplete, _files((MEASUREMENT,)))]

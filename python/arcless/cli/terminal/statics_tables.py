@@ -28,6 +28,8 @@ def blocks(name: str, found: dict[str, Any]) -> "Iterator[RenderableType]":
     yield _summary(name, found)
     if found["resonance_speeds"]["speeds"]:
         yield _resonance(found["resonance_speeds"])
+        if found["resonance_speeds"]["notes"]:
+            yield "".join(f"Note: {text}.\n" for text in found["resonance_speeds"]["notes"])
 
 
 def _droppers(droppers: list[dict[str, Any]], span: int, spans: int) -> "RenderableType":

@@ -1,4 +1,10 @@
-"""Measured pantographs → their places on the line of a run, or of another measurement."""
+"""Measured pantographs → their places on the line of a run, or of another measurement.
+
+Sensors below the strips show F_s = F_c + m z̈ (`results/instrument/head.py`). Without the inertia
+taken off that is the force of the suspension of the strips, which lags behind the contact force:
+the place at which the two correlate best is metres off. The height of the strips is that of the
+wire wherever they touch it, so it is taken where the file has it.
+"""
 # ruff: noqa: N815 - the names carry their units
 
 import math
@@ -26,6 +32,9 @@ CHANNELS = ("force", "height")
 # Scale of an odometer that is searched without being told to: worn wheels are some 0.1 % smaller
 # than they were taken for. More would let a wrong speed pass for a drift.
 SCALE_WITHIN = 0.005
+# Share of the samples that must have a height for heights to be taken without being asked for.
+# Lower would align by a few stretches of a sensor that failed; higher gives up for a few gaps.
+LEAST_HEIGHTS = 0.5
 
 
 @dataclass(frozen=True)
@@ -39,6 +48,8 @@ class Aligning:
         it that all spans have in common; ``none``, as the positions stand.
     channel
         ``force``, or ``height`` of the contact point, which inertia of the strips does not change.
+        None for the force where it is the contact force, and for the height where it is that of
+        sensors below the strips, not corrected; for the force where there are no heights either.
     offset_m
         What is added to the first position, in m; nothing is searched then. None to search.
     scale
@@ -51,7 +62,7 @@ class Aligning:
     """
 
     method: str = "correlation"
-    channel: str = "force"
+    channel: str | None = None
     offset_m: float | None = None
     scale: float = 1.0
     search_m: float | None = None
@@ -61,7 +72,7 @@ class Aligning:
         if self.method not in METHODS:
             expected = f"one of {', '.join(METHODS)}"
             raise ComparisonError("method of alignment", got=f'"{self.method}"', expected=expected)
-        if self.channel not in CHANNELS:
+        if self.channel not in (None, *CHANNELS):
             expected = f"one of {', '.join(CHANNELS)}"
             raise ComparisonError("channel to align by", got=f'"{self.channel}"', expected=expected)
         if self.search_m is not None and not self.search_m > 0.0:
@@ -71,6 +82,28 @@ class Aligning:
         if not 0.0 <= self.scale_within < 1.0:
             got = f"{self.scale_within:g}"
             raise ComparisonError("limit of the scale", got=got, expected="0 up to below 1")
+
+    def channel_of(self, *pantographs: MeasuredPantograph) -> str:
+        """Return the channel to align by: the one given, or the one that the samples allow.
+
+        Parameters
+        ----------
+        *pantographs
+            Samples of the measured ones, of what is aligned and of what it is aligned with.
+        """
+        if self.channel is not None:
+            return self.channel
+        if all(one.is_contact_force for one in pantographs):
+            return "force"
+        return "height" if all(map(_has_heights, pantographs)) else "force"
+
+
+def _has_heights(measured: MeasuredPantograph) -> bool:
+    """Return whether enough samples have a height, and heights change."""
+    if measured.height is None:
+        return False
+    known = measured.height[np.isfinite(measured.height)]
+    return known.size >= LEAST_HEIGHTS * measured.height.size and bool(np.ptp(known) > 0.0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -87,12 +120,15 @@ class Reference:
         Cut-off of its filter.
     margin_s
         Time at the ends of a record at which it does not count.
+    channel
+        ``force`` or ``height``.
     """
 
     trace: Trace
     supports_m: Floats
     low_pass_Hz: float
     margin_s: float
+    channel: str
 
 
 def signal_of(measured: MeasuredPantograph, channel: str, margin_s: float, label: str) -> Signal:
@@ -158,7 +194,7 @@ def place(
     """
     falls = measured.last_m < measured.first_m
     _check_order(measured, label)
-    signal = signal_of(measured, how.channel, on.margin_s, label)
+    signal = signal_of(measured, on.channel, on.margin_s, label)
     mine = _from_origin(trace_of(signal, on.low_pass_Hz), measured)
     try:
         if how.offset_m is not None or how.method == "none":
@@ -170,7 +206,7 @@ def place(
     except ComparisonError as error:
         error.where = error.where or f"{label}: pantograph {measured.name}"
         raise
-    return replace(found, origin_m=measured.first_m, falling=falls, channel=how.channel)
+    return replace(found, origin_m=measured.first_m, falling=falls, channel=on.channel)
 
 
 def _check_order(measured: MeasuredPantograph, label: str) -> None:

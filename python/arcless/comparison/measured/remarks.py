@@ -34,6 +34,12 @@ def remarks(name: str, placed: Placed, assessment: Assessment, speed_m_s: float)
     for one, by in zip(placed.measurement.pantographs, placed.alignments, strict=True):
         whose = f"{name}, {one.name}" if several else name
         found += [f"{whose}: {text}" for text in _doubts(by)]
+        searched = by.method in ("correlation", "supports")
+        if searched and by.channel == "force" and not one.is_contact_force:
+            found.append(
+                f"{whose}: placed by a force that misses the inertia of what is above the sensors,"
+                " and lags behind the contact force: the offset may be wrong by some metres"
+            )
         jumps = sum(part.kind == JUMP for part in one.left_out)
         if jumps:
             found.append(

@@ -16,6 +16,10 @@ FEWEST = 2
 # Most characters of a run's name in legends and heads of columns: two of them stand side by side in
 # a terminal of 80 columns, and six in a legend. Runs with a longer one are numbered.
 LONGEST_NAME = 28
+# Characters of a measurement's name, which tells its file and its kind: heads of columns wrap it.
+# Measurements with a longer one are numbered.
+LONGEST_MEASURED = 56
+MEASURED = "measured"
 
 
 @dataclass(frozen=True)
@@ -92,7 +96,7 @@ def names_of(
     """Return the name of each run and measurement, in full.
 
     That is the changed field, where just one differs; else the name of the scenario, or of the
-    folder, whichever differs. A measurement has that of its file.
+    folder, whichever differs. A measurement has that of its file, and is said to be measured.
 
     Parameters
     ----------
@@ -101,28 +105,43 @@ def names_of(
     only_field
         Text of the one field that differs, for each run; None where none or several do.
     """
-    names = [title_of(one) for one in subjects]
+    names = [_told(one) for one in subjects]
     folders = [None if file is None else _folder(file) for file in files]
     known = [folder for folder in folders if folder]
     if only_field is not None:
         names = [own or name for own, name in zip(only_field, names, strict=True)]
     elif len(set(names)) < len(names) and len(set(known)) == len(names):
-        names = known
+        names = [
+            name if isinstance(one, Measurement) else folder
+            for one, name, folder in zip(subjects, names, known, strict=True)
+        ]
     return [re.sub(r"[\r\n\t]+", " ", name) for name in names]
 
 
-def short_names(names: Sequence[str]) -> list[str]:
+def short_names(names: Sequence[str], subjects: Sequence[Subject]) -> list[str]:
     """Return a name of each run for legends and heads, no two the same, none cut.
 
-    They are ``run 1``, ``run 2`` where a name has more than `LONGEST_NAME` characters, and follow
-    a number where two are the same.
+    Runs are ``run 1``, ``run 2`` where the name of one has more than `LONGEST_NAME` characters,
+    measurements ``measured 2`` where that of one has more than `LONGEST_MEASURED`; they follow a
+    number where two are the same.
     """
-    numbered = list(enumerate(names, start=1))
-    if max(map(len, names)) > LONGEST_NAME:
-        return [f"run {number}" for number, _ in numbered]
-    if len(set(names)) < len(names):
-        return [f"{number}: {name}" for number, name in numbered]
-    return list(names)
+    kinds = [isinstance(one, Measurement) for one in subjects]
+    longest = {False: LONGEST_NAME, True: LONGEST_MEASURED}
+    numbered = {kind for kind, name in zip(kinds, names, strict=True) if len(name) > longest[kind]}
+    words = {False: "run", True: MEASURED}
+    found = [
+        f"{words[kind]} {number}" if kind in numbered else name
+        for number, (kind, name) in enumerate(zip(kinds, names, strict=True), start=1)
+    ]
+    if len(set(found)) < len(found):
+        return [f"{number}: {name}" for number, name in enumerate(found, start=1)]
+    return found
+
+
+def _told(one: Subject) -> str:
+    """Return the title, and of a measurement that it is one."""
+    title = title_of(one)
+    return f"{title} ({MEASURED})" if isinstance(one, Measurement) else title
 
 
 def title_of(one: Subject) -> str:

@@ -169,8 +169,10 @@ def _placed(
     alignments = []
     for index, pantograph in enumerate(one.pantographs):
         of_base = next((slot.places[there] for slot in slots if slot.places[here] == index), None)
-        trace = trace_of(_whole_signal(base, of_base or 0, how.channel, margin), cutoff)
-        on = Reference(trace, _supports(base), cutoff, margin)
+        other = [base.pantographs[of_base or 0]] if isinstance(base, Measurement) else []
+        channel = how.channel_of(pantograph, *other)
+        trace = trace_of(_whole_signal(base, of_base or 0, channel, margin), cutoff)
+        on = Reference(trace, _supports(base), cutoff, margin, channel)
         counted = any(note.startswith(COUNTED) for note in one.notes)
         alignments.append(place(pantograph, on, how, str(one.path), counted=counted))
     return Placed.of(one, alignments)
@@ -223,8 +225,9 @@ def _assessed(on_line: Placed, base: Subject, section: tuple[float, float]) -> A
     """Return the numbers of a measurement by the filter and the supply of the reference."""
     supply = base.scenario.line.design.supply if isinstance(base, Result) else None
     return assess_measurement(
-        on_line.measurement, supply=supply, section=section, low_pass_Hz=_cutoff_Hz(base)
-    )
+        on_line.measurement, supply=supply, section=section, low_pass_Hz=_cutoff_Hz(base),
+        supports_m=_supports(base),
+    )  # fmt: skip
 
 
 def _over(run: Result, section: tuple[float, float]) -> Assessment:

@@ -10,12 +10,15 @@ from collections.abc import Callable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 if TYPE_CHECKING:
     import h5py
 
     from arcless.dataset.build import Entry
 
+# All columns of a variable.
+ALL = slice(None)
 # Attributes that HDF5 and NetCDF keep on a variable for themselves.
 OWN = frozenset({"CLASS", "NAME", "DIMENSION_LIST", "REFERENCE_LIST", "_FillValue"})
 # Name of the scale of a dimension that has no coordinate.
@@ -30,19 +33,27 @@ class LazyVariables(Mapping[str, "Entry"]):
     variables
         Name → the variable in a file that is open as long as this lives.
     guard
-        Called to read; raises what the caller wants of the library's errors.
+        Called to read columns of a variable; raises what the caller wants of the library's errors.
     """
 
     def __init__(
-        self, variables: Mapping[str, "h5py.Dataset"], guard: "Callable[[h5py.Dataset], Entry]"
+        self,
+        variables: Mapping[str, "h5py.Dataset"],
+        guard: "Callable[[h5py.Dataset, slice], Entry]",
     ) -> None:
         self._variables, self._guard = dict(variables), guard
         self._known: dict[str, Entry] = {}
 
     def __getitem__(self, name: str) -> "Entry":
         if name not in self._known:
-            self._known[name] = self._guard(self._variables[name])
+            self._known[name] = self._guard(self._variables[name], ALL)
         return self._known[name]
+
+    def columns(self, name: str, which: slice) -> NDArray[Any]:
+        """Return some columns of a variable of two dimensions; they are not kept."""
+        if name in self._known:
+            return self._known[name][1][:, which]
+        return self._guard(self._variables[name], which)[1]
 
     def __contains__(self, name: object) -> bool:
         return name in self._variables
@@ -80,17 +91,22 @@ def split(file: "h5py.File") -> tuple[dict[str, "h5py.Dataset"], dict[str, "h5py
     return data, with_values
 
 
-def entry(variable: "h5py.Dataset") -> "Entry":
-    """Read a variable: its dimensions, values and attributes."""
+def entry(variable: "h5py.Dataset", columns: slice = ALL) -> "Entry":
+    """Read a variable, or some of its columns: its dimensions, values and attributes."""
     import h5py
 
     name = variable.name.rpartition("/")[2]
     is_scale = variable.attrs.get("CLASS") == b"DIMENSION_SCALE"
     dims = (name,) if is_scale else tuple(_dimension(scales) for scales in variable.dims)
     text = h5py.check_string_dtype(variable.dtype) is not None
-    values = variable.asstr()[()].astype(str) if text else variable[()]
+    values = variable.asstr()[()].astype(str) if text else _values(variable, columns)
     notes = variable.attrs.items()
     return dims, values, {k: plain(v) for k, v in notes if k not in OWN and not _is_internal(k)}
+
+
+def _values(variable: "h5py.Dataset", columns: slice) -> NDArray[Any]:
+    values: NDArray[Any] = variable[()] if columns == ALL else variable[:, columns]
+    return values
 
 
 def _dimension(scales: Any) -> str:

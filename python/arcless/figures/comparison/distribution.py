@@ -81,6 +81,10 @@ def octaves(many: Overlaid, places: Places, key: str, title: str) -> list[Figure
     if not known:
         return []
     centres = 10.0 ** (np.array(list(THIRD_OCTAVES), dtype=float) / 10.0)
+    # All of them would run into one another on a phone; the pointer has the others.
+    named = [
+        f"{one:.3g}" if n % 2 == 0 else "" for n, one in zip(THIRD_OCTAVES, centres, strict=True)
+    ]
     places_at = np.arange(centres.size, dtype=float)
     width = 0.84 / len(known)
     layers: list[Layer] = []
@@ -107,7 +111,7 @@ def octaves(many: Overlaid, places: Places, key: str, title: str) -> list[Figure
         Figure(
             key, title,
             Axis("third octave about", "Hz", -0.6, centres.size - 0.4,
-                 categories=tuple(f"{one:.3g}" for one in centres)),
+                 categories=tuple(named)),
             Axis("standard deviation σ", "N", 0.0), layers,
             caption="Of the unfiltered force in the analysis section, from its spectrum.",
             alt=f"Standard deviation in third octaves. {'; '.join(reversed(alt))}.",

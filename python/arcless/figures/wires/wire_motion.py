@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from arcless.dataset.motion_lanes import nodes_of_lane, values_in
+from arcless.dataset.plain_dataset import columns_of
 from arcless.figures.wires.wire_velocity import WireMotion
 
 if TYPE_CHECKING:
@@ -34,7 +35,9 @@ def contact_wires(dataset: "Dataset") -> list[WireMotion]:
         kind, _, number = str(name).rpartition(" ")
         if kind == _KIND:
             first = np.asarray(dataset["motion_first"].values[:, place], dtype=np.int64)
-            up = dataset["motion_up"].values[:, int(ends[place] - counts[place]) : int(ends[place])]
+            # Other wires have most of the columns, and of a long run hundreds of megabytes.
+            own = slice(int(ends[place] - counts[place]), int(ends[place]))
+            up = columns_of(dataset, "motion_up", own)
             for nodes, before in _wires(dataset, int(number)):
                 reached = _rows(first - before, up.shape[1], len(nodes))
                 found.append(

@@ -103,16 +103,21 @@ def _check(text: str, dialect: Dialect, where: str) -> None:
     cells = next(csv.reader([text], delimiter=dialect.delimiter, skipinitialspace=True))
     if len(cells) == len(dialect.header):
         return
-    many = len(cells) > len(dialect.header)
-    decimal = (
-        "a decimal comma? Then separate the columns by semicolons"
-        if dialect.delimiter == ","
-        else "one delimiter between cells, the same as in the header"
-    )
     raise MeasurementError(
         "wrong number of cells",
         where=where,
         got=str(len(cells)),
         expected=f"{len(dialect.header)}, one for each column of the header",
-        hint=decimal if many else "leave a cell empty where there is no value",
+        hint=_hint(text, len(cells), dialect),
     )
+
+
+def _hint(text: str, cells: int, dialect: Dialect) -> str:
+    """Return what is likely wrong with a line of another number of cells."""
+    if cells == 1 and any(other in text for other in ",;\t"):
+        return "separate the cells as those of the header"
+    if cells < len(dialect.header):
+        return "leave a cell empty where there is no value"
+    if dialect.delimiter == ",":
+        return "a decimal comma? Then separate the columns by semicolons"
+    return "one delimiter between cells, the same as in the header"

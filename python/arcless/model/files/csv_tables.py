@@ -20,6 +20,7 @@ _HEAD = re.compile(
 )
 _WHOLE = re.compile(r"[1-9]\d{0,8}")
 POINT = "write the decimal point as a point, and one comma between values"
+EXPECTED = "a table as CSV text"
 GAP = "fill every cell, or leave the row out"
 # Units that examples in messages are written in.
 _USUAL = {"m": "mm"}
@@ -128,7 +129,7 @@ def read_table(path: FilePath, table: Table) -> dict[str, list[int | float]]:
         A column or its unit is missing or unknown, a cell is empty or no number, or a row is too
         short or too long. The message names the line.
     """
-    return parse_table(read_text(path, str(path)), str(path), table)
+    return parse_table(read_text(path, str(path), EXPECTED), str(path), table)
 
 
 def parse_table(text: str, label: str, table: Table) -> dict[str, list[int | float]]:

@@ -1,5 +1,6 @@
 """Text of a model file → plain data, with the line and column of every value."""
 
+from codecs import BOM_UTF16_BE, BOM_UTF16_LE
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
@@ -127,6 +128,9 @@ def decoded(raw: bytes, label: str, expected: str = EXPECTED) -> str:
     ModelError
         They are no text in UTF-8; the message names the line.
     """
+    if raw.startswith((BOM_UTF16_LE, BOM_UTF16_BE)):
+        raise ModelError("not a text file in UTF-8", where=label, got="text in UTF-16",
+                         expected=expected, hint="save the file as UTF-8")  # fmt: skip
     if b"\0" in raw:
         raise ModelError("not a text file", where=label, got="binary data", expected=expected)
     try:

@@ -76,11 +76,14 @@ def scenario_of(data: Mapping[str, Any], origin: Origin) -> Scenario:
     entries = {path: {**_note(base), **one.entry} for path, one in given.items()}
     changes = {path: one.value for path, one in given.items()}
     try:
-        place = Origin(within=origin.within)
+        place = Origin(folder=origin.folder, within=origin.within)
         found = apply(base, changes, Origins(entries, variant.sources), place)
     except ModelError as error:
         path = _place(error, changes)
-        error.where, error.field = origin.where(path), path
+        here = origin.where(path)
+        # A place of its own is that of a table that the value names.
+        error.where = here if error.where is None else f"{error.where} (named in {here})"
+        error.field = path
         raise
     named = {"name": variant.name, "description": variant.description or base.description}
     return found.model_copy(update=named)

@@ -50,6 +50,10 @@ class KeptRun:
         When it was computed, ISO 8601, UTC; where it cannot be read, when the file was changed.
     version
         Version of Arcless that computed it.
+    line
+        Name of its line.
+    line_digest
+        First digits of the SHA-256 of all that the line says: lines of one name may differ.
     speed_m_s
         Mean speed in the analysis section.
     changes
@@ -66,6 +70,8 @@ class KeptRun:
     name: str | None = None
     created: str | None = None
     version: str | None = None
+    line: str | None = None
+    line_digest: str | None = None
     speed_m_s: float | None = None
     changes: dict[str, str] = field(default_factory=dict)
     pantographs: tuple[MainNumbers, ...] = ()

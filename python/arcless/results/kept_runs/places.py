@@ -32,6 +32,15 @@ def is_study_folder(path: Path) -> bool:
     return any(os.path.isfile(path / name) for name in STUDY_FILES)  # noqa: PTH113
 
 
+def study_folder(path: str | Path) -> Path | None:
+    """Return the folder of a study that a path names, itself or a file in it; None for another."""
+    place = Path(path)
+    if place.is_dir():
+        return place if is_study_folder(place) and not result_file(place).exists() else None
+    known = place.name in _OF_STUDIES and place.is_file() and is_study_folder(place.parent)
+    return place.parent if known else None
+
+
 def run_file(path: str | Path) -> Path:
     """Return the file of a run; refuse a place that is none, and say what it is.
 
@@ -47,13 +56,13 @@ def run_file(path: str | Path) -> Path:
         do with that.
     """
     place, file = Path(path), result_file(path)
+    study = study_folder(place)
+    if study is not None:
+        raise _study(place, study)
     if place.is_dir() and not file.exists():
-        raise _study(place, place) if is_study_folder(place) else _no_run_in(place)
-    if place.is_file():
-        if place.name in _OF_STUDIES and is_study_folder(place.parent):
-            raise _study(place, place.parent)
-        if place.suffix.lower() in (*_DESCRIPTIONS, _PAGE):
-            raise _description(place)
+        raise _no_run_in(place)
+    if place.is_file() and place.suffix.lower() in (*_DESCRIPTIONS, _PAGE):
+        raise _description(place)
     if not file.exists() and (hint := _meant(place)):
         raise ResultFormatError("no such run", where=str(path), expected=_A_RUN, hint=hint)
     return file
@@ -74,8 +83,8 @@ def _study(given: Path, folder: Path) -> ResultFormatError:
         "study in place of a run",
         where=str(given),
         expected=_A_RUN,
-        hint=f"`arcless study report {folder}` shows all its variants, {folder / TABLE} has their"
-        " numbers",
+        hint=f"`arcless study report {folder}` shows all its variants, `arcless export {folder}"
+        " --to FILE.xlsx` writes their numbers",
     )
 
 
@@ -101,7 +110,7 @@ def _description(file: Path) -> ResultFormatError:
     if own.exists():
         hint = f"the run is {own}"
     elif file.suffix.lower() in _DESCRIPTIONS:
-        hint = f"`arcless run {file}` makes a run of it"
+        hint = f"if it is a scenario, `arcless run {file}` makes a run of it"
     return ResultFormatError(
         "file that describes what to run, or follows from it",
         where=str(file),

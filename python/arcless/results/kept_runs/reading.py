@@ -4,6 +4,7 @@ The numbers are those of the assessment.json next to the file where that is the 
 very result by this version; else they are computed from the result, which takes longer.
 """
 
+import hashlib
 import json
 from collections import defaultdict
 from collections.abc import Mapping
@@ -15,17 +16,17 @@ from typing import Any
 
 from arcless.assess import (
     MET,
+    NOT_JUDGED,
     NOT_MET,
     NOT_MET_UNVERIFIED,
     TOO_CLOSE,
     assess,
     decides,
+    is_withheld,
     verdict_of,
 )
-from arcless.dataset.metadata import metadata
 from arcless.dataset.netcdf.store import UNREADABLE as DAMAGE
-from arcless.dataset.netcdf.store import open_plain
-from arcless.dataset.plain_dataset import Plain
+from arcless.dataset.netcdf.store import open_plain, read_facts
 from arcless.errors import ArclessError
 from arcless.model.scenario.as_typed import changes_of
 from arcless.results.kept_runs.kept_run import (
@@ -37,6 +38,8 @@ from arcless.results.kept_runs.kept_run import (
 )
 from arcless.results.kept_runs.places import ASSESSMENT_NAME, RESULT_NAME
 
+# Criteria that could be compared, and are not judged: see `is_withheld`.
+WITHHELD = "withheld"
 # Head of the criteria whose limits were not read in a source.
 UNVERIFIED = "beyond a limit that is not verified"
 # Time in s after the result within which its assessment is written. Longer, one that was edited
@@ -57,6 +60,10 @@ _SHARED = {
     "slack_droppers_max": "slack_droppers_max",
     "energy_residual_relative": "energy_residual_relative",
 }
+# Fields of a line that change no number.
+_NO_CONTENT = ("description", "sources", "provenance")
+# Hexadecimal digits of a digest: by chance two of 1000 lines meet once in 10 000 times.
+_DIGITS = 8
 _NUMBERS = tuple(each.name for each in fields(MainNumbers))
 
 
@@ -64,8 +71,7 @@ def read(file: Path) -> KeptRun:
     """Return a run in a few words, whatever the file is: one that cannot be read says why."""
     path = file.parent if file.name == RESULT_NAME else file
     try:
-        dataset = open_plain(file)
-        return _described(path, file, dataset, metadata(dataset))
+        return _described(path, file, read_facts(file))
     except ArclessError as error:
         return unreadable(path, _without_place(error))
     except DAMAGE as error:
@@ -82,11 +88,13 @@ def unreadable(path: Path, reason: str) -> KeptRun:
     return KeptRun(path, UNREADABLE, reason, created=created)
 
 
-def _described(path: Path, file: Path, dataset: Plain, facts: Mapping[str, Any]) -> KeptRun:
+def _described(path: Path, file: Path, facts: Mapping[str, Any]) -> KeptRun:
     known: dict[str, Any] = {
         "name": facts["scenario_name"],
         "created": facts["created"],
         "version": facts["arcless_version"],
+        "line": facts["scenario"]["line"]["name"],
+        "line_digest": _digest(facts["scenario"]["line"]),
         "changes": changes_of(facts["scenario"]),
     }
     state = facts["state"]
@@ -94,8 +102,15 @@ def _described(path: Path, file: Path, dataset: Plain, facts: Mapping[str, Any])
         where = f"at {state['position_m']:.2f} m, {facts['simulated_time_s']:g} s"
         return KeptRun(path, STOPPED, where, **known)
     found = _kept_numbers(file, facts)
-    numbers = _numbers(assess(dataset).to_dict()) if found is None else found
+    numbers = _numbers(assess(open_plain(file)).to_dict()) if found is None else found
     return KeptRun(path, **numbers, **known)
+
+
+def _digest(line: Mapping[str, Any]) -> str:
+    """Return a digest of what a line says, without where its values come from."""
+    told = {key: value for key, value in line.items() if key not in _NO_CONTENT}
+    text = json.dumps(told, sort_keys=True, ensure_ascii=True)
+    return hashlib.sha256(text.encode()).hexdigest()[:_DIGITS]
 
 
 def _numbers(assessment: Mapping[str, Any]) -> dict[str, Any]:
@@ -114,16 +129,23 @@ def _numbers(assessment: Mapping[str, Any]) -> dict[str, Any]:
 def judged(criteria: list[dict[str, Any]]) -> tuple[Verdict, str | None]:
     """Return the verdict over all criteria, and those of which there is more to say.
 
-    Criteria too close to tell count as met, as in `Assessment.passed`.
+    Criteria too close to tell count as met, as in `Assessment.passed`. Where a number could have
+    been compared with a limit that decides and is not judged, the run is not judged.
     """
     titles: dict[str, list[str]] = defaultdict(list)
     several = len({one["pantograph"] for one in criteria} - {None}) > 1
     for one in criteria:
         of = f" ({one['pantograph']})" if several and one["pantograph"] else ""
-        titles[verdict_of(one)].append(f"{one['title']}{of}")
+        word = WITHHELD if is_withheld(one) else verdict_of(one)
+        titles[word].append(f"{one['title']}{of}")
     decided = any(decides(one["mark"]) and verdict_of(one) in (MET, TOO_CLOSE) for one in criteria)
+    withheld = [one for one in criteria if is_withheld(one)]
+    decided &= not any(decides(one["mark"]) for one in withheld)
     verdict: Verdict = "met" if decided else "not judged"
-    heads = {NOT_MET: "", NOT_MET_UNVERIFIED: f"{UNVERIFIED}: ", TOO_CLOSE: f"{TOO_CLOSE}: "}
+    heads = {
+        NOT_MET: "", NOT_MET_UNVERIFIED: f"{UNVERIFIED}: ", TOO_CLOSE: f"{TOO_CLOSE}: ",
+        WITHHELD: f"{NOT_JUDGED}: ",
+    }  # fmt: skip
     parts = [f"{head}{', '.join(titles[word])}" for word, head in heads.items() if titles[word]]
     return "not met" if titles[NOT_MET] else verdict, "; ".join(parts) or None
 

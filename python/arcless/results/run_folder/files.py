@@ -16,7 +16,12 @@ if TYPE_CHECKING:
 Ranges = Callable[["Scenario", dict[str, Any]], list[dict[str, Any]]]
 
 
-def write(result: Result, folder: OutputFolder, report: Ranges | None) -> list[Path]:
+def write(
+    result: Result,
+    folder: OutputFolder,
+    report: Ranges | None,
+    tell: Callable[[str], None] = lambda _doing: None,
+) -> list[Path]:
     """Write the files of a run; of one that stopped early, the result alone.
 
     Parameters
@@ -28,6 +33,8 @@ def write(result: Result, folder: OutputFolder, report: Ranges | None) -> list[P
         already.
     report
         Published ranges for the report; without them none is written.
+    tell
+        Told what is being done.
 
     Returns
     -------
@@ -40,10 +47,13 @@ def write(result: Result, folder: OutputFolder, report: Ranges | None) -> list[P
         The folder cannot be written.
     """
     if not folder.file(RESULT_NAME).exists():
+        tell("writing the result")
         result.save(folder.file(RESULT_NAME))
     if result.is_complete:
+        tell("assessing")
         write_bytes(folder.file(ASSESSMENT_NAME), result.assessment.to_json().encode())
         if report is not None:
+            tell("writing the report")
             rows = report(result.scenario, result.assessment.to_dict())
             result.write_report(folder.file(REPORT_NAME), reference_rows=rows)
     return folder.publish()

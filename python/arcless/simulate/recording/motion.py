@@ -22,10 +22,10 @@ if TYPE_CHECKING:
     from arcless.mesh import Mesh
     from arcless.model import Scenario
 
-# Steps from which a run that is only watched has its rows so far apart, s. At 10 ms a run of 50 km
-# would be slowed by more than a tenth, and its picture take 1.2 GB; at more than 20 ms motion of
-# 20 Hz has less than three rows in a period.
-LONG, WATCHED_LONG_S = 100_000, 0.02
+# Time between two rows where it is left to auto, s, and from so many steps on. At 10 ms a run of
+# 50 km would take a fifth longer, and its motion 1.3 GB; at more than 20 ms motion of 20 Hz has
+# less than three rows in a period.
+INTERVAL_S, LONG, LONG_INTERVAL_S = 0.01, 100_000, 0.02
 # Dimension of a mesh in space.
 SPATIAL = 3
 Floats = NDArray[np.float64]
@@ -182,6 +182,8 @@ class MotionPiece:
     attempt
         Counted from 1: a higher number begins the run again, after a static force that did not give
         the mean force asked for.
+    searching
+        True while the static force is searched for: another attempt may follow this one.
     found
         The line at rest, from which displacements are measured.
     layout
@@ -205,6 +207,7 @@ class MotionPiece:
     """
 
     attempt: int
+    searching: bool
     found: "Equilibrium"
     layout: MotionLayout
     time_s: Floats
@@ -233,26 +236,30 @@ def layout_of(
         The scenario.
     motion
         Interval and window; without them those of the scenario or, for a viewer of a run that
-        records none, the usual ones, with rows of a long run farther apart.
+        records none, the usual ones.
     """
-    mesh, steps = found.mesh, trajectory.motion(scenario).steps
-    watched = RecordedMotion(interval=WATCHED_LONG_S) if steps >= LONG else RecordedMotion()
-    motion = motion or scenario.output.motion or watched
+    return _layout(found.mesh, found.positions[:, 0], scenario, motion)
+
+
+def _layout(
+    mesh: "Mesh", x: Floats, scenario: "Scenario", motion: RecordedMotion | None
+) -> MotionLayout:
+    """Return the layout for nodes at positions x along the track, m; see `layout_of`."""
+    steps = trajectory.motion(scenario).steps
+    motion = motion or scenario.output.motion or RecordedMotion()
     window = nearby(scenario, mesh, steps)
     limits = [motion.around] if not isinstance(motion.around, str) else []
     # Wires that all pantographs have left so far behind are put to rest, see `output.around`.
     limits += [window.around] if window is not None else []
-    behind = min(limits) if limits else float(found.positions[:, 0].max()) + 1.0
+    behind = min(limits) if limits else float(x.max()) + 1.0
     distance = max(placement.distance for placement in scenario.pantographs)
     reach = np.inf if not limits else 2.0 * behind + distance
     wires = [
-        wire
-        for kind, pieces in wires_of(mesh).items()
-        for wire in _lanes(kind, pieces, found.positions[:, 0], reach)
+        wire for kind, pieces in wires_of(mesh).items() for wire in _lanes(kind, pieces, x, reach)
     ]
     order, dropper_count = ordered([dropper.x for dropper in mesh.droppers], reach)
     return MotionLayout(
-        every=max(1, round(motion.interval / scenario.time_step_s)),
+        every=max(1, round(interval_s(scenario, motion) / scenario.time_step_s)),
         behind_m=behind,
         wires=tuple(wires),
         dropper_order=order,
@@ -310,6 +317,13 @@ def wires_of(mesh: "Mesh") -> dict[str, list[list[int]]]:
     }
 
 
+def interval_s(scenario: "Scenario", motion: RecordedMotion) -> float:
+    """Return the time between two rows of the motion of a run, s, not yet in whole steps."""
+    if not isinstance(motion.interval, str):
+        return motion.interval
+    return LONG_INTERVAL_S if trajectory.motion(scenario).steps >= LONG else INTERVAL_S
+
+
 def motion_bytes(scenario: "Scenario", found: "Equilibrium | None" = None) -> int:
     """Return the size of the recorded motion of a run, bytes, before compression.
 
@@ -318,17 +332,20 @@ def motion_bytes(scenario: "Scenario", found: "Equilibrium | None" = None) -> in
     scenario
         The scenario; where it records no motion, what it would record by `output.motion: true`.
     found
-        Its line at rest, where that is known; it is found otherwise.
+        Its line at rest, where that is known. Otherwise nodes are taken where they are drawn: those
+        of a line as built lie some millimetres away, which may be a node more or less in a row.
 
     Raises
     ------
-    MeshError, EquilibriumError
-        The line cannot be divided, or has no equilibrium.
+    MeshError
+        The line cannot be divided.
     """
-    from arcless.equilibrium import equilibrium
+    from arcless.mesh import build_mesh
 
     motion = scenario.output.motion or RecordedMotion()
-    layout = layout_of(found or equilibrium.find(scenario), scenario, motion)
+    mesh = build_mesh(scenario.line, scenario.stepping) if found is None else found.mesh
+    x = mesh.positions[:, 0] if found is None else found.positions[:, 0]
+    layout = _layout(mesh, x, scenario, motion)
     rows = -(-trajectory.motion(scenario).steps // layout.every)
     return rows * (4 * layout.numbers_in_row + 8 * (len(layout.wires) + 2))
 
@@ -341,6 +358,7 @@ def piece_of(
     *,
     masses: Floats,
     attempt: int,
+    searching: bool,
 ) -> MotionPiece:
     """Return a piece of a record as a viewer is handed it; `masses` are their displacements, m."""
     parts = layout.split(raw)
@@ -348,6 +366,7 @@ def piece_of(
     rows = len(raw["motion_time"])
     return MotionPiece(
         attempt=attempt,
+        searching=searching,
         found=found,
         layout=layout,
         time_s=raw["motion_time"],

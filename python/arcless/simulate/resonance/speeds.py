@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from arcless.equilibrium.initial_configuration import InitialConfiguration
 from arcless.equilibrium.line_alone import LineAlone
+from arcless.model.settings.run_settings import FASTEST_TRAIN
 from arcless.pantograph.natural_modes import Band, PantographMode, modes, why_no_modes
 from arcless.simulate.resonance.spans import Span, spans
 
@@ -44,6 +45,7 @@ USE_OF_WAVE_SPEED = 0.7
 MATHIEU = 4.0
 # Periods between two pantographs that are told at most.
 MOST_PERIODS = 6
+TOO_FAST = f"speeds above {3.6 * FASTEST_TRAIN:.0f} km/h, more than any train ran, are left out"
 
 EN_50119 = "EN 50119:2009, 5.2.4, as quoted in Bane NOR technical rules TRV:00599 (A)"
 CALCULATOR = "GitHub showhoo/ocs-calculators, wavespeed (A): v = f₁ L"
@@ -107,7 +109,7 @@ class ResonanceSpeeds:
     Attributes
     ----------
     speeds
-        By rising speed.
+        By rising speed, up to the fastest train.
     notes
         What has no such speed and why, and what the speeds are of.
     """
@@ -153,8 +155,11 @@ def resonance_speeds(source: "Scenario | InitialConfiguration") -> ResonanceSpee
         found += _of_line(span)
         found += _of_pantographs(scenario, span, notes)
     found += _of_spacings(scenario, told[len(told) // 2])
-    found.sort(key=lambda one: one.speed.middle)
-    return ResonanceSpeeds(tuple(found), tuple(dict.fromkeys(notes)))
+    listed = [one for one in found if one.speed.middle <= FASTEST_TRAIN]
+    if len(listed) < len(found):
+        notes.append(TOO_FAST)
+    listed.sort(key=lambda one: one.speed.middle)
+    return ResonanceSpeeds(tuple(listed), tuple(dict.fromkeys(notes)))
 
 
 def _wave_speeds(rest: InitialConfiguration, notes: list[str]) -> "Iterator[ResonanceSpeed]":

@@ -21,9 +21,13 @@ from arcless.model import Scenario
 from arcless.model.pantograph.placement import PantographPlacement
 from arcless.simulate.recording.contacts import label
 from arcless.simulate.setup.stops_and_friction import piecewise_forces
+from arcless.simulate.setup.trajectory import Motion
 
 # A run starts in statics, and with updated kinematics the tangent is factorised in every step.
 STATIC = ("equilibrium", "singular", "unstable")
+
+# Failures of a pantograph that is not below its wire any more.
+BESIDE = ("off_wire", "out_of_reach")
 
 # Failures of a step as a whole: what, and a hint.
 STEPS = {
@@ -84,8 +88,13 @@ def _too_long(scenario: Scenario, longest_s: float) -> ModelError:
 
 
 @contextmanager
-def stepping(mesh: Mesh, placements: Sequence[PantographPlacement]) -> Iterator[None]:
-    """Turn errors of the stepping loop into errors that name step, time and link."""
+def stepping(
+    mesh: Mesh, placements: Sequence[PantographPlacement], travel: Motion | None = None
+) -> Iterator[None]:
+    """Turn errors of the stepping loop into errors that name step, time and link.
+
+    Given the travel they say where the pantographs were, too.
+    """
     try:
         yield
     except _core.NativeError as error:
@@ -93,7 +102,41 @@ def stepping(mesh: Mesh, placements: Sequence[PantographPlacement]) -> Iterator[
         if kind == "beyond_table":
             raise _beyond_table(placements, details) from error
         names = [placement.name for placement in placements]
-        raise translated(mesh, names, kind, message, details) from error
+        at = None
+        if travel is not None and "step" in details:
+            at = _steps_done(details, travel)
+            details = {"time": at * travel.time_step, **details}
+        failure = translated(mesh, names, kind, message, details)
+        if isinstance(failure, ContactError) and travel is not None and at is not None:
+            _place(failure, kind, at, placements, travel)
+        raise failure from error
+
+
+def _steps_done(details: dict[str, Any], travel: Motion) -> int:
+    """Return how many steps were done at the time of a failure."""
+    time = details.get("time")
+    done = details["step"] if time is None else round(time / travel.time_step)
+    return int(min(done, travel.steps))
+
+
+def _place(
+    failure: ContactError,
+    kind: str,
+    at: int,
+    placements: Sequence[PantographPlacement],
+    travel: Motion,
+) -> None:
+    """Put into the error of a step when that was, and where the pantographs were.
+
+    Where one has left the wire the message has its place already.
+    """
+    failure.time_s = at * travel.time_step
+    failure.positions_m = {
+        placement.name: float(travel.positions[at]) - placement.distance for placement in placements
+    }
+    if kind not in BESIDE:
+        places = [f"{name} at {x:.2f} m" for name, x in failure.positions_m.items()]
+        failure.where = ", ".join([failure.where or f"step {at}", *places])
 
 
 def translated(
@@ -102,7 +145,7 @@ def translated(
     """Return the error of a step in words; `pantographs` are their names."""
     if kind == "lcp":
         return _unsolved(mesh, pantographs, details)
-    if kind in ("off_wire", "out_of_reach"):
+    if kind in BESIDE:
         return _beside_the_wire(pantographs, kind, details)
     if (kind, details.get("array")) == ("input", "state"):
         return ResultFormatError("the state in the result does not fit this run", got=message)

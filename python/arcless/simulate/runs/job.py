@@ -29,8 +29,8 @@ PIECE = 1 << 20
 # Steps between two in which explicit ones measure what wires store and dissipate, which takes as
 # long as ten others. With fewer the ledger would cost more; with more its rows are far apart.
 MEASURED_EVERY = 500
-# Progress text of runs that search for a static force.
-SEARCHING = "finding the static force"
+# Progress texts of the steps of a run, and of those that search for a static force.
+STEPPING, SEARCHING = "stepping", "finding the static force"
 
 
 @dataclass(frozen=True)
@@ -95,7 +95,7 @@ class Job:
         if audience is not None:
             take, piece = audience.take, 1
         began = time.perf_counter()
-        with stepping(mesh, placements):
+        with stepping(mesh, placements, self.travel):
             raw = self.model.run(
                 pantographs=pantograph_data,
                 distances=[p.distance for p in placements],
@@ -191,9 +191,9 @@ class Line:
 
 def ready_line(scenario: Scenario, tell: Progress) -> Line:
     """Find the line of a scenario at rest, and factorise it."""
-    tell(0.0, "static equilibrium")
+    tell(0.0, "finding the line at rest")
     found = equilibrium.find(scenario)
-    tell(0.0, "factorisation")
+    tell(0.0, "preparing the steps")
     return Line(found, prepare(found, scenario))
 
 
@@ -204,7 +204,7 @@ def lay_out(
     cancel: Cancel | None,
     line: Line | None = None,
     *,
-    doing: str = "stepping",
+    doing: str = STEPPING,
 ) -> Job:
     """Lay out a run on its line: the travel, and what is given over time.
 
@@ -214,7 +214,8 @@ def lay_out(
     travel = trajectory.motion(scenario)
     excitations = pantographs.excitations(scenario, travel)
     loads = gust_loads.line_loads(line.found, scenario, travel)
-    observe = observer(travel.steps, doing, tell, cancel)
+    step_s = scenario.time_step_s if doing == STEPPING else None
+    observe = observer(travel.steps, doing, tell, cancel, step_s)
     copy = partial(_coarse_copy, scenario, controllers, tell, cancel, line)
     found, model = line.found, line.model
     return Job(scenario, found, model, travel, excitations, loads, controllers, observe, copy)
@@ -262,13 +263,23 @@ def prepare(found: equilibrium.Equilibrium, scenario: Scenario) -> _core.WireMod
         )
 
 
-def observer(steps: int, text: str, tell: Progress, cancel: Cancel | None) -> Callable[[int], bool]:
-    """Return the callback that is called with the number of steps done."""
+def observer(
+    steps: int,
+    text: str,
+    tell: Progress,
+    cancel: Cancel | None,
+    step_s: float | None = None,
+) -> Callable[[int], bool]:
+    """Return the callback that is called with the number of steps done.
+
+    With the time step in s it tells the time, behind a comma: ``stepping, 3.2 of 8.0 s``.
+    """
 
     def observe(step: int) -> bool:
         if cancel is not None and cancel():
             raise KeyboardInterrupt
-        tell(step / steps, text)
+        time = "" if step_s is None else f", {step * step_s:.1f} of {steps * step_s:.1f} s"
+        tell(step / steps, f"{text}{time}")
         return True
 
     return observe

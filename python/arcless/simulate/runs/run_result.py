@@ -61,7 +61,7 @@ class Part:
         names = record.names(raw, job.found, job.scenario, job.kept_motion)
         if self.earlier is not None:
             record.put_behind(self.earlier.dataset, moving, names)
-        dataset = Plain.of(moving, names, *self._rest(raw))
+        dataset = Plain.of(moving, names, *self._rest(raw, tell))
         tell(1.0, "done")
         return Result(dataset, job.scenario)
 
@@ -75,15 +75,17 @@ class Part:
                 stream.put_before(self.earlier.dataset)
             raw = self.step(saved, last, stream.take)
             stream.take(raw)
-            static, attributes = self._rest(raw)
+            static, attributes = self._rest(raw, tell)
             stream.finish(static | record.extremes(raw, self.job.found), attributes)
         tell(1.0, "done")
         return Result(open_plain(to), self.job.scenario)
 
-    def _rest(self, raw: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
+    def _rest(self, raw: dict[str, Any], tell: Progress) -> tuple[dict[str, Any], dict[str, Any]]:
         """Return the variables that are no series: the line at rest, the state; and attributes."""
         raw["setup_s"] = time.perf_counter() - self.started - raw["wall_s"]
         job, found, scenario = self.job, self.job.found, self.job.scenario
+        done = raw["steps"] / job.travel.steps
+        tell(done, "finding the elasticity of the line")
         static = record.static_variables(found, found.elasticity(found.elasticity_positions()))
         if job.nearby is not None:
             static |= job.nearby.variables
@@ -92,6 +94,7 @@ class Part:
         attributes = attributes_of(job, raw, self.forces, self.earlier)
         attributes["command"] = self.command
         if raw["steps"] == job.travel.steps and scenario.certainty is not None and self.sure:
+            tell(done, "finding how sure the numbers are")
             attributes["certainty"] = self.sure()
         if raw["steps"] < job.travel.steps:
             numbers = {**raw["state"].numbers, checkpoint.STATIC_FORCE: np.array(self.forces)}

@@ -26,9 +26,12 @@ class Viewer:
     ----------
     watch
         Called with each piece, in the thread that steps; what it raises ends the run.
+    searching
+        Whether runs that begin now search for the static force.
     """
 
     watch: Watch
+    searching: bool = False
     attempts: int = field(default=0, init=False)
 
     def audience(
@@ -62,7 +65,7 @@ class Audience:
     _numbers: int = field(default=0, init=False)
 
     def __post_init__(self) -> None:
-        self._attempt = self.viewer.attempts
+        self._attempt, self._searching = self.viewer.attempts, self.viewer.searching
 
     def take(self, raw: dict[str, Any]) -> None:
         """Take a piece of the series."""
@@ -84,8 +87,9 @@ class Audience:
     def _show(self, raw: dict[str, Any]) -> None:
         masses = mass_displacements(raw, self.scenario)
         piece = piece_of(
-            raw, self.found, self.layout, self.scenario, masses=masses, attempt=self._attempt
-        )
+            raw, self.found, self.layout, self.scenario,
+            masses=masses, attempt=self._attempt, searching=self._searching,
+        )  # fmt: skip
         self.viewer.watch(piece)
 
     def _own(self, raw: dict[str, Any]) -> dict[str, Any]:

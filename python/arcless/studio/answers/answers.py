@@ -11,6 +11,7 @@ from starlette.responses import JSONResponse, Response
 from starlette.routing import Route
 
 from arcless.errors import ArclessError
+from arcless.studio.answers.page_words import in_page_words
 
 _BAD_REQUEST, _FAULT = 400, 500
 Handler = Callable[[Request], Awaitable[Any]]
@@ -68,11 +69,19 @@ def _fault(error: Exception) -> str:
     return f"internal fault: {type(error).__name__}: {error}; hint: {hint}"
 
 
-def complaint(error: ArclessError) -> dict[str, Any]:
-    """Return an error as the page shows it: its whole sentence, and its parts where it has them."""
-    parts = ("what", "where", "got", "expected", "hint", "field")
+def complaint(error: ArclessError | Refused) -> dict[str, Any]:
+    """Return an error as the page shows it: its whole sentence, and its parts where it has them.
+
+    Of a step also the time in s and the positions of the pantographs in m, by name.
+    """
+    parts = ("what", "where", "got", "expected", "hint", "field", "time_s")
     found = {name: getattr(error, name, None) for name in parts}
-    return {"text": str(error), **{name: value for name, value in found.items() if value}}
+    found["positions_m"] = dict(getattr(error, "positions_m", {}))
+    if found["hint"]:
+        hint = in_page_words(f"; hint: {found['hint']}").removeprefix("; hint: ")
+        found["hint"] = hint or None
+    text = in_page_words(str(error))
+    return {"text": text, **{name: value for name, value in found.items() if value}}
 
 
 def plain_value(value: Any) -> Any:

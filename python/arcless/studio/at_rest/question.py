@@ -35,6 +35,8 @@ class Question:
         Counted up by the page; the answer repeats it.
     draft
         Whether the line may be divided coarsely, see `bench`.
+    moving
+        Whether a slider moves, so that the line of the question before is a good start.
     allowance
         Of the schedule: length that the cut length has beyond the unstretched length, as typed.
     """
@@ -46,6 +48,7 @@ class Question:
     want: frozenset[str]
     number: int
     draft: bool = False
+    moving: bool = False
     allowance: str | None = None
 
     @property
@@ -91,5 +94,6 @@ def question_of(project: Project, asked: Mapping[str, Any]) -> Question:
         want=frozenset(want),
         number=number,
         draft=asked.get("draft") is True,
+        moving=asked.get("moving") is True,
         allowance=allowance,
     )

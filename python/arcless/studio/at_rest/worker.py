@@ -5,19 +5,15 @@ A question that has not begun when a newer one comes is dropped: nobody waits fo
 
 import asyncio
 import json
-import signal
-from contextlib import suppress
-from multiprocessing import get_context
-from multiprocessing.connection import Connection
-from multiprocessing.context import SpawnProcess
+from functools import cache
 from typing import TYPE_CHECKING, Any
-
-from anyio import CapacityLimiter
-from anyio.to_thread import run_sync
 
 from arcless.errors import ArclessError
 from arcless.studio.answers.answers import Refused, complaint
 from arcless.studio.at_rest.question import Question
+from arcless.studio.processes import worker
+from arcless.studio.processes.ends import Cancelled, Failed
+from arcless.studio.processes.talk import Talk
 
 if TYPE_CHECKING:
     from arcless.studio.at_rest.bench import Bench
@@ -38,10 +34,7 @@ class Worker:
         self._turn = asyncio.Lock()
         self._newest = 0
         self.is_at_slow_one = False
-        self._line: Connection | None = None
-        self._process: SpawnProcess | None = None
-        # A thread of its own waits for the answer: other questions do not take its place.
-        self._waiting = CapacityLimiter(1)
+        self.process: worker.Worker | None = None
 
     @property
     def is_free(self) -> bool:
@@ -57,38 +50,23 @@ class Worker:
                 return DROPPED
             self.is_at_slow_one = question.is_slow
             try:
-                return await run_sync(self._exchange, question, limiter=self._waiting)
+                return await self._answer(question)
             finally:
                 self.is_at_slow_one = False
 
     def close(self) -> None:
         """End the process."""
-        line, process, self._line, self._process = self._line, self._process, None, None
-        if line is not None:
-            line.close()
-        if process is not None:
-            process.join(LAST_ANSWER)
-            process.kill()
+        if self.process is not None:
+            self.process.leave(LAST_ANSWER)
 
-    def _exchange(self, question: Question) -> Answer:
-        line = self._line or self._started()
+    async def _answer(self, question: Question) -> Answer:
+        if self.process is None or not self.process.runs:
+            self.process = worker.Worker()
         try:
-            line.send(question)
-            answer: Answer = line.recv()
-        except (EOFError, OSError):
-            self.close()
+            answer: Answer = await asyncio.wrap_future(self.process.do(answered, question))
+        except (Failed, Cancelled):
             raise Refused(500, "The process that computes lines at rest broke down") from None
         return answer
-
-    def _started(self) -> Connection:
-        # A new interpreter: a fork of a server with threads may hang.
-        context = get_context("spawn")
-        self._line, other = context.Pipe()
-        process = context.Process(target=serve, args=(other,), daemon=True)
-        process.start()
-        other.close()
-        self._process = process
-        return self._line
 
 
 class Desk:
@@ -123,23 +101,19 @@ class Desk:
         self._second.close()
 
 
-def serve(line: Connection) -> None:
-    """Answer the questions that come, until the other end is closed."""
+@cache
+def _bench() -> "Bench":
+    """Return the bench of this process."""
     from arcless.studio.at_rest.bench import Bench
 
-    # Ctrl-C in a terminal goes to all processes; the server ends this one.
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    bench = Bench()
-    with suppress(EOFError, OSError):
-        while True:
-            line.send(answered(bench, line.recv()))
+    return Bench()
 
 
-def answered(bench: "Bench", question: Question) -> Answer:
-    """Return the answer of a bench as JSON, or what is wrong with the model."""
+def answered(_talk: Talk, question: Question) -> Answer:
+    """Return the answer as JSON, or what is wrong with the model."""
     value: Any
     try:
-        value = bench.answer(question)
+        value = _bench().answer(question)
     except ArclessError as error:
         # An answer as well: half of what is typed is no line yet.
         value = {"question": question.number, "errors": [complaint(error)]}

@@ -15,11 +15,13 @@ def assessed(run: ChartedRun) -> dict[str, Any]:
     """Return verdict, criteria with limits and sources, and numbers of a run."""
     assessment, facts = run.result.assessment, run.result.metadata
     first = run_content.first_screen(run.data, run.figures)
+    lead = summary.leading(assessment)
     return {
         "title": facts["scenario_name"],
         "description": run.result.scenario.description,
         "identity": summary.identity(run.result.scenario, assessment, facts),
         "verdict": asdict(first["verdict"]),
+        "leading": None if lead is None else tables.criterion_row(lead),
         "worst": first["worst"],
         "criteria": first["criteria"],
         "marks": run_content.marks_of(assessment),

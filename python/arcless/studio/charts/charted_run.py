@@ -109,6 +109,7 @@ class ChartedRun(Charted):
                 for layer in figure.layers:
                     arrays |= {id(one): one.nbytes for one in vars(layer).values()
                                if isinstance(one, np.ndarray)}  # fmt: skip
+        arrays |= {id(one): one.up.nbytes for one in self.__dict__.get("motions", [])}
         known = getattr(self.result.recorded, "read_bytes", 0)
         return known + sum(arrays.values()) + self.pyramid_bytes
 

@@ -11,6 +11,7 @@ from arcless.figures.comparison import MOST_RUNS
 from arcless.figures.description import Figure
 from arcless.figures.description.tokens import of_series
 from arcless.studio.answers.answers import Refused
+from arcless.studio.answers.page_words import in_page_words
 from arcless.studio.charts.plain.charted import Charted
 from arcless.studio.charts.plain.drawable import heads
 
@@ -47,12 +48,13 @@ class ChartedComparison(Charted):
             for key, title, names, _ in content["sections"]
         ]
         kept = (
-            "title", "names", "runs", "warnings", "count", "verdicts", "several", "placement",
+            "title", "names", "runs", "count", "verdicts", "several", "placement",
             "bands", "acceptance", "simulated", "main", "numbers", "differences_read",
             "numbers_read", "placement_reads", "bands_read", "acceptance_reads", "left_out", "same",
         )  # fmt: skip
         return {
             **{name: content[name] for name in kept},
+            "warnings": [in_page_words(text) for text in content["warnings"]],
             "fields": [asdict(one) for one in content["fields"]],
             "colours": [of_series(run) for run in range(len(compared.names))],
             "sections": sections,

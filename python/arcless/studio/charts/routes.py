@@ -2,7 +2,6 @@
 
 from functools import partial
 from pathlib import Path
-from tempfile import TemporaryDirectory
 from typing import Any
 
 from anyio.to_thread import run_sync
@@ -10,6 +9,7 @@ from starlette.requests import Request
 from starlette.responses import Response
 from starlette.routing import BaseRoute
 
+from arcless.storage import hidden_files
 from arcless.studio.answers.answers import Refused, json_body, route
 from arcless.studio.charts import asked, assessed, series, space_time
 from arcless.studio.charts.charted_run import ChartedRun
@@ -109,8 +109,8 @@ def _exported(run: ChartedRun, ending: str) -> Response:
     if ending not in _TYPES:
         raise Refused(400, f"`as` is none of {', '.join(_TYPES)}")
     name = run.result.scenario.name
-    with TemporaryDirectory() as folder:
-        file = Path(folder) / f"run.{ending}"
+    with hidden_files.temporary_folder() as folder:
+        file = folder / f"run.{ending}"
         if ending == "pdf":
             run.result.write_pdf(file)
         else:

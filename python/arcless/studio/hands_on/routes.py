@@ -5,8 +5,6 @@ A session lives as long as its socket: a page that is closed or reloaded leaves 
 
 import asyncio
 import json
-from multiprocessing import get_context
-from multiprocessing.connection import Connection
 from typing import Any
 
 from anyio import CapacityLimiter
@@ -17,6 +15,8 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 from arcless.errors import ArclessError, ModelError
 from arcless.studio.answers.answers import complaint
 from arcless.studio.hands_on.worker import Begin, checked_rate, serve
+from arcless.studio.processes.ends import Cancelled, Failed
+from arcless.studio.processes.worker import Worker
 from arcless.studio.project import texts
 from arcless.studio.project.project import Project, is_shipped
 
@@ -44,9 +44,9 @@ def routes(project: Project) -> list[BaseRoute]:
         try:
             begin = await run_sync(_begin, project, await _order(socket))
             await _hold(socket, begin)
-        except ArclessError as error:
+        except (ArclessError, Failed) as error:
             await _refuse(socket, error)
-        except WebSocketDisconnect:
+        except (WebSocketDisconnect, Cancelled):
             pass
         finally:
             held.discard(socket)
@@ -54,7 +54,7 @@ def routes(project: Project) -> list[BaseRoute]:
     return [WebSocketRoute("/api/hands_on", session)]
 
 
-async def _refuse(socket: WebSocket, error: ArclessError) -> None:
+async def _refuse(socket: WebSocket, error: ArclessError | Failed) -> None:
     await socket.send_json({"topic": "error", "error": complaint(error), "final": True})
     await socket.close()
 
@@ -87,48 +87,33 @@ async def _order(socket: WebSocket) -> dict[str, Any]:
 
 
 async def _hold(socket: WebSocket, begin: Begin) -> None:
-    # A new interpreter: a fork of a server with threads may hang.
-    context = get_context("spawn")
-    line, other = context.Pipe()
-    process = context.Process(target=serve, args=(other, begin), daemon=True)
-    await run_sync(process.start)
-    other.close()
-    sending = asyncio.ensure_future(_send(socket, line))
-    taking = asyncio.ensure_future(_take(socket, line))
+    loop, worker = asyncio.get_running_loop(), Worker()
+
+    def heard(said: Any) -> None:
+        # Waits until it is sent: a page that does not read slows the process, not the server.
+        asyncio.run_coroutine_threadsafe(_send(socket, said), loop).result()
+
+    serving = asyncio.wrap_future(worker.do(serve, begin, heard=heard))
+    taking = asyncio.ensure_future(_take(socket, worker))
     try:
-        done, _ = await asyncio.wait({sending, taking}, return_when=asyncio.FIRST_COMPLETED)
-        for one in done:
-            one.result()
+        await asyncio.wait({serving, taking}, return_when=asyncio.FIRST_COMPLETED)
+        await (taking if taking.done() else serving)
     finally:
-        sending.cancel()
+        serving.cancel()
         taking.cancel()
-        process.terminate()
-        await run_sync(process.join, LAST_STEP)
-        process.kill()
-        line.close()
+        worker.leave(LAST_STEP)
 
 
-async def _take(socket: WebSocket, line: Connection) -> None:
+async def _take(socket: WebSocket, worker: Worker) -> None:
     # A thread of its own: a process that does not listen takes no other one's place.
     own = CapacityLimiter(1)
     while True:
-        order = await _order(socket)
-        try:
-            await run_sync(line.send, order, limiter=own)
-        except OSError:
-            return
+        await run_sync(worker.tell, await _order(socket), limiter=own)
 
 
-async def _send(socket: WebSocket, line: Connection) -> None:
-    own = CapacityLimiter(1)
-    while True:
-        try:
-            said = await run_sync(line.recv, limiter=own, abandon_on_cancel=True)
-        except (EOFError, OSError):
-            await socket.close()
-            return
-        if isinstance(said, dict):
-            await socket.send_json(said)
-            continue
-        for frame in said:
-            await socket.send_bytes(frame)
+async def _send(socket: WebSocket, said: Any) -> None:
+    if isinstance(said, dict):
+        await socket.send_json(said)
+        return
+    for frame in said:
+        await socket.send_bytes(frame)

@@ -1,10 +1,7 @@
 """The process of a session: steps at the pace of the wall, takes orders, sends moments."""
 
-import signal
 import time
-from contextlib import suppress
 from dataclasses import dataclass
-from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +14,7 @@ from arcless.studio.hands_on.frames import channels, packed
 from arcless.studio.hands_on.gusts import Gust, number
 from arcless.studio.hands_on.limits import highest_force
 from arcless.studio.hands_on.session import Session
+from arcless.studio.processes.talk import Talk
 
 # Interval of moments in s, and of looks at orders. Longer, the picture jerks and forces come late.
 EVERY, LOOK = 1 / 40, 0.004
@@ -46,20 +44,20 @@ class Begin:
     rate: float
 
 
-def serve(line: Connection, begin: Begin) -> None:
-    """Hold a session until the other end is closed."""
-    # Ctrl-C in a terminal goes to all processes; the server ends this one.
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    with suppress(EOFError, OSError):
-        try:
-            _Desk(line, begin).work()
-        except ArclessError as error:
-            line.send({"topic": "error", "error": complaint(error), "final": True})
+def serve(talk: Talk, begin: Begin) -> None:
+    """Hold a session until nobody wants it any more.
+
+    Raises
+    ------
+    ArclessError
+        The scenario is wrong, or cannot be stepped in a real-time loop.
+    """
+    _Desk(talk, begin).work()
 
 
 class _Desk:
-    def __init__(self, line: Connection, begin: Begin) -> None:
-        self._line = line
+    def __init__(self, talk: Talk, begin: Begin) -> None:
+        self._talk = talk
         loaded = load_text(begin.text, begin.file, begin.within)
         if not isinstance(loaded, Scenario):
             raise ModelError("no scenario", where=begin.file.name, expected="a scenario")
@@ -68,7 +66,7 @@ class _Desk:
         self._unseen = self._laps = 0
         self._next = 0.0
         geometry = session.geometry
-        line.send(
+        talk.say(
             {
                 "topic": "begun",
                 "geometry": geometry,
@@ -86,9 +84,9 @@ class _Desk:
     def work(self) -> None:
         session, clock = self._session, self._clock
         clock.begin(time.perf_counter(), session.time_s)
-        while True:
-            while self._line.poll(LOOK):
-                self._take(self._line.recv())
+        while not self._talk.cancel():
+            while (order := self._talk.order(LOOK)) is not None:
+                self._take(order)
             wall = time.perf_counter()
             self._step_until(clock.due(wall), wall + EVERY)
             wall = time.perf_counter()
@@ -97,7 +95,7 @@ class _Desk:
                 self._send(wall)
             pace = clock.pace(wall, session.time_s)
             if pace is not None:
-                self._line.send({"topic": "pace", "rate": pace, "wanted": clock.rate})
+                self._talk.say({"topic": "pace", "rate": pace, "wanted": clock.rate})
 
     def _step_until(self, due: float, latest: float) -> None:
         """Step to a time of the session, but no longer than to a time of the wall."""
@@ -107,21 +105,21 @@ class _Desk:
             try:
                 session.step()
             except ContactError as error:
-                self._line.send({"topic": "notice", "text": f"begun again: {error}"})
+                self._talk.say({"topic": "notice", "text": f"begun again: {error}"})
                 session.begin_anew()
             if session.laps != before:
-                self._line.send({"topic": "lap", "laps": session.laps})
+                self._talk.say({"topic": "lap", "laps": session.laps})
 
     def _send(self, wall: float) -> None:
         self._next = wall + EVERY
         self._unseen += 1
-        self._line.send(packed(self._session.moment(REACH)))
+        self._talk.say(packed(self._session.moment(REACH)))
 
     def _take(self, order: dict[str, Any]) -> None:
         try:
             self._obey(order)
         except ArclessError as error:
-            self._line.send({"topic": "error", "error": complaint(error), "final": False})
+            self._talk.say({"topic": "error", "error": complaint(error), "final": False})
 
     def _obey(self, order: dict[str, Any]) -> None:
         topic, session = order.get("topic"), self._session

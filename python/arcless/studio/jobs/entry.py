@@ -4,8 +4,8 @@ import asyncio
 from typing import Any, BinaryIO
 
 from arcless.studio.jobs.job import Job, Task
-from arcless.studio.jobs.worker import Worker
 from arcless.studio.motion.spool import SpooledMotion
+from arcless.studio.processes.worker import Worker
 
 
 class Entry:
@@ -23,8 +23,6 @@ class Entry:
         Motion that it spools; None before its first row.
     opened
         Set when motion is there, or will never be.
-    wanted
-        False when it was cancelled.
     """
 
     def __init__(self, task: Task, job: Job | None) -> None:
@@ -33,7 +31,6 @@ class Entry:
         self.worker: Worker | None = None
         self.motion: SpooledMotion | None = None
         self.opened = asyncio.Event()
-        self.wanted = True
         self.told_at, self.is_told = 0.0, True
         self._file: BinaryIO | None = None
 
@@ -43,13 +40,15 @@ class Entry:
         if file is None:
             self.opened.set()
 
-    def begin_motion(self, layout: Any, geometry: Any, every_s: float, end_s: float) -> None:
+    def begin_motion(
+        self, layout: Any, geometry: Any, every_s: float, end_s: float, search: int | None
+    ) -> None:
         """Have motion from now on; what was there before is replaced."""
         if self._file is None:
             return
         before = self.motion
         self.motion = SpooledMotion(
-            self._file, layout, geometry, every_s=every_s, estimated_end_s=end_s
+            self._file, layout, geometry, every_s=every_s, estimated_end_s=end_s, search=search
         )
         if before is not None:
             before.replace(self.motion)

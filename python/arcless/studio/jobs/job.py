@@ -25,8 +25,6 @@ class Task:
         Folder whose unfinished files go if the process is killed.
     shows
         Whether it spools motion.
-    hear
-        Called on the event loop with what the function says by `Talk.say`.
     about
         For those who start it: what it is about.
     """
@@ -35,7 +33,6 @@ class Task:
     arguments: tuple[Any, ...] = ()
     folder: Path | None = None
     shows: bool = False
-    hear: Callable[[Any], None] | None = None
     about: Any = None
 
 

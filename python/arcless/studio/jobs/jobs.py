@@ -7,17 +7,17 @@ import secrets
 import time
 from collections import deque
 from collections.abc import AsyncIterator, Callable
+from concurrent.futures import Future
 from contextlib import asynccontextmanager, suppress
 from pathlib import Path
 from typing import Any
 
-from arcless.errors import ArclessError
 from arcless.storage import hidden_files
 from arcless.studio.answers.answers import Refused, complaint
 from arcless.studio.jobs.entry import Entry
 from arcless.studio.jobs.job import Job, Kind, Task
 from arcless.studio.jobs.pool import Pool
-from arcless.studio.jobs.worker import Worker
+from arcless.studio.processes.ends import Cancelled, Gone
 
 # Jobs that are kept in the list when they have ended, and those that may wait. More would make
 # the list long; less forgets what the user has not seen yet.
@@ -53,7 +53,7 @@ class Jobs:
         self._entries: dict[str, Entry] = {}
         self._waiting: deque[Entry] = deque()
         self._questions: deque[Entry] = deque()
-        self._pool = Pool(self._heard, self._gone)
+        self._pool = Pool(self._heard, self._over)
         self._has_ended = False
         self._number = itertools.count(1)
         self._server = secrets.token_hex(3)  # jobs of an older server are other ones
@@ -182,55 +182,47 @@ class Jobs:
             case ("note", str(text)) if entry.job:
                 entry.job.notes.append(text)
                 self._changed(entry)
-            case ("said", said) if entry.task.hear is not None:
-                entry.task.hear(said)
             case ("motion", *about):
                 entry.begin_motion(*about)
             case ("edge", rows, end_s, final) if entry.motion is not None:
                 entry.motion.grow(rows, end_s, final=final)
-            case ("done" | "failed" | "cancelled" as how, value, used):
-                self._pool.free(entry, used)
-                self._finish(entry, how, value)
-                self._begin()
 
-    def _gone(self, entry: Entry, worker: Worker) -> None:
-        _tidy(entry.task.folder)
-        if entry.wanted:
-            self._finish(entry, "failed", worker.why())
-        else:
+    def _over(self, entry: Entry, end: "Future[Any]") -> None:
+        error = end.exception()
+        if isinstance(error, Gone | Cancelled):
+            _tidy(entry.task.folder)
+        if error is None:
+            self._finish(entry, "done", end.result())
+        elif isinstance(error, Cancelled):
             self._finish(entry, "cancelled", None)
+        else:
+            self._finish(entry, "failed", error)
         self._begin()
 
     def _cancel(self, entry: Entry) -> None:
         if entry.end.done():
             return
-        entry.wanted = False
         for queue in (self._waiting, self._questions):
             if entry in queue:
                 queue.remove(entry)
                 self._finish(entry, "cancelled", None)
                 return
-        worker = entry.worker
-        if worker is not None:
-            worker.cancel()
-            loop = asyncio.get_running_loop()
-            loop.call_later(CANCEL_S, lambda: None if entry.end.done() else worker.kill())
+        if entry.worker is not None:
+            entry.worker.cancel(CANCEL_S)
 
     def _finish(self, entry: Entry, how: str, value: Any) -> None:
         if entry.end.done():
             return
-        told = complaint(value) if isinstance(value, ArclessError) else value
         entry.end_motion()
         if entry.job is not None:
-            _finish_job(entry.job, how, told)
+            _finish_job(entry.job, how, complaint(value) if how == "failed" else value)
             self._changed(entry, now=True)
         if how == "done":
             entry.end.set_result(value)
         elif how == "cancelled":
             entry.end.cancel()
         else:
-            is_ours = isinstance(value, ArclessError)
-            entry.end.set_exception(value if is_ours else Refused(500, told["text"]))
+            entry.end.set_exception(value)
 
     def _changed(self, entry: Entry, *, now: bool = False) -> None:
         """Tell pages of a job, not oftener than they need."""
@@ -261,13 +253,13 @@ class Jobs:
     async def _leave(self) -> None:
         """End all processes; what they had not finished is gone."""
         self._has_ended = True
-        unfinished = await self._pool.leave()
-        for entry in unfinished:
-            _tidy(entry.task.folder)
+        for entry in [*self._waiting, *self._questions]:
+            entry.end.cancel()
+        ends = [entry.end for entry in self._pool.leave()]
+        if ends:
+            await asyncio.wait(ends)
         for entry in self._entries.values():
             entry.forget_motion()
-        for entry in [*self._waiting, *self._questions, *unfinished]:
-            entry.end.cancel()
 
 
 def _will_show(entry: Entry) -> bool:

@@ -1,13 +1,16 @@
 """Worker processes of a server: those that work, and those that wait for a task."""
 
 import asyncio
-import time
 from collections.abc import Callable
+from concurrent.futures import Future
+from contextlib import suppress
+from functools import partial
 from typing import Any
 
 from arcless.studio.jobs.entry import Entry
-from arcless.studio.jobs.worker import Worker
+from arcless.studio.jobs.ready import make_ready
 from arcless.studio.motion.spool import new_file
+from arcless.studio.processes.worker import Worker
 
 # Processes that wait for a task, each of 100 MB: with fewer a run waits a second for one to start.
 _SPARE = 2
@@ -23,24 +26,27 @@ class Pool:
     Parameters
     ----------
     heard
-        Called with each message that a process sends of what it does.
-    gone
-        Called when a process is gone in the midst of something.
+        Called on the event loop with what the function of an entry says.
+    ended
+        Called on the event loop with the end of an entry, see `Worker.do`.
     """
 
     def __init__(
         self,
         heard: Callable[[Entry, tuple[Any, ...]], None],
-        gone: Callable[[Entry, Worker], None],
+        ended: Callable[[Entry, Future[Any]], None],
     ) -> None:
-        self._heard, self._gone = heard, gone
+        self._heard, self._ended = heard, ended
         self._at_work: dict[Worker, Entry] = {}
         self._idle: list[Worker] = []
 
     def prepare(self) -> None:
         """Have a process that waits."""
+        self._idle = [worker for worker in self._idle if worker.runs]
         if not self._idle:
-            self._idle.append(Worker(self._hear, self._ended))
+            worker = Worker()
+            worker.do(make_ready)
+            self._idle.append(worker)
 
     def busy(self, *, jobs: bool) -> int:
         """Return how many processes work on jobs, or on questions."""
@@ -58,46 +64,31 @@ class Pool:
             except OSError:
                 file = None  # no room for motion; the run itself may have
         entry.give_spool(file)
-        worker.do(entry.task, None if file is None else file.fileno())
+        on_loop = partial(_on_loop, asyncio.get_running_loop())
+        end = worker.do(
+            entry.task.function,
+            *entry.task.arguments,
+            heard=partial(on_loop, self._heard, entry),
+            spool=None if file is None else file.fileno(),
+        )
+        end.add_done_callback(partial(on_loop, self._free, worker, entry))
 
-    def free(self, entry: Entry, used: int) -> None:
-        """Let the process of what has ended wait for its next task, unless it is large.
+    def leave(self) -> list[Entry]:
+        """Let all processes end; return what they have not finished, whose ends come soon."""
+        for worker in [*self._idle, *self._at_work]:
+            worker.leave(LEAVE_S)
+        return list(self._at_work.values())
 
-        Parameters
-        ----------
-        entry
-            What it has done.
-        used
-            Memory in bytes that it used at most.
-        """
-        worker = entry.worker
-        if worker is None or self._at_work.pop(worker, None) is None:
-            return
-        if used > _LARGE or len(self._idle) >= _SPARE:
+    def _free(self, worker: Worker, entry: Entry, end: Future[Any]) -> None:
+        """Let the process of what has ended wait for its next task, unless it is large."""
+        del self._at_work[worker]
+        if worker.used > _LARGE or len(self._idle) >= _SPARE:
             worker.leave()
-        else:
+        elif worker.runs:
             self._idle.append(worker)
+        self._ended(entry, end)
 
-    async def leave(self) -> list[Entry]:
-        """End all processes; return what they had not finished."""
-        workers, unfinished = [*self._idle, *self._at_work], list(self._at_work.values())
-        for worker in workers:
-            worker.leave()
-        deadline = time.monotonic() + LEAVE_S
-        while time.monotonic() < deadline and any(one.runs for one in workers):
-            await asyncio.sleep(0.02)
-        for worker in workers:
-            worker.end()
-        return unfinished
 
-    def _hear(self, worker: Worker, message: tuple[Any, ...]) -> None:
-        entry = self._at_work.get(worker)
-        if entry is not None:  # else it says that it is ready
-            self._heard(entry, message)
-
-    def _ended(self, worker: Worker) -> None:
-        if worker in self._idle:
-            self._idle.remove(worker)
-        entry = self._at_work.pop(worker, None)
-        if entry is not None:
-            self._gone(entry, worker)
+def _on_loop(loop: asyncio.AbstractEventLoop, act: Callable[..., None], *arguments: Any) -> None:
+    with suppress(RuntimeError):  # the loop is closed: the server has ended
+        loop.call_soon_threadsafe(act, *arguments)

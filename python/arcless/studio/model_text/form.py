@@ -4,11 +4,14 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 from arcless.errors import ModelError
+from arcless.model import Scenario
 from arcless.model.files.yaml_reader import parse
-from arcless.studio.model_text.about import KEYS, ROOTS, About, about
-from arcless.studio.model_text.places import VALUE, Place, places
+from arcless.model.variants.variant_files import is_variant
+from arcless.studio.model_text.about import ROOTS, about
+from arcless.studio.model_text.form_field import told, value_of
+from arcless.studio.model_text.places import Place, places
+from arcless.studio.model_text.variant_form import TRAIN, variant_groups
 from arcless.studio.project.kinds import kind_of
-from arcless.units import to_si
 
 Path = tuple[str | int, ...]
 STEADY_ARM = "steady_arm"
@@ -29,10 +32,9 @@ LINE = (
 # Fields that stand in place of others: offered where they are given.
 EXCLUSIVE = ("presag", "lengths", "static_force", "mean_force")
 MASS = ("mass", "stiffness", "damping")
-TRAIN = ("model", "static_force", "mean_force", "distance")
 
 
-def form(text: str, label: str) -> dict[str, Any]:
+def form(text: str, label: str, scenario: Scenario | None = None) -> dict[str, Any]:
     """Return groups of fields; none of a text that is no YAML, or no model.
 
     Parameters
@@ -41,6 +43,8 @@ def form(text: str, label: str) -> dict[str, Any]:
         The text of a line, a pantograph or a scenario.
     label
         Path of the file in the project.
+    scenario
+        Of the text, where it is a variant of another one: what it leaves as it is there.
     """
     kind = kind_of(text)
     if kind not in ROOTS:
@@ -50,6 +54,8 @@ def form(text: str, label: str) -> dict[str, Any]:
         found = places(text, label)
     except ModelError:  # the check says what is wrong
         return {"groups": []}
+    if kind == "scenario" and is_variant(data):
+        return {"groups": variant_groups(data, found, scenario)}
     groups = []
     for title, paths in _groups(kind, data):
         own = [_field(kind, path, data, found) for path in paths]
@@ -66,7 +72,7 @@ def _groups(kind: str, data: dict[str, Any]) -> Iterator[tuple[str, list[Path]]]
             yield f"Mass {index + 1}", [("masses", index, name) for name in MASS]
     else:
         is_within = isinstance(data.get("line"), dict)
-        yield "Run", [*([] if is_within else [("base",), ("line",)]), ("speed",)]
+        yield "Run", [*([] if is_within else [("line",)]), ("speed",)]
         trains = _at(data, ("pantographs",))
         for index in range(len(trains) if isinstance(trains, list) else 0):
             yield f"Pantograph {index + 1}", [("pantographs", index, name) for name in TRAIN]
@@ -89,16 +95,12 @@ def _line(line: dict[str, Any], before: Path) -> Iterator[tuple[str, list[Path]]
 def _at(data: Any, path: Sequence[str | int]) -> Any:
     """Return what is typed at a path, None where nothing is; a value without its source."""
     for part in path:
-        data = _value(data)
+        data = value_of(data)
         is_there = (isinstance(data, dict) and part in data) or (
             isinstance(data, list) and isinstance(part, int) and part < len(data)
         )
         data = data[part] if is_there else None
-    return _value(data)
-
-
-def _value(data: Any) -> Any:
-    return data[VALUE] if isinstance(data, dict) and VALUE in data else data
+    return value_of(data)
 
 
 def _field(
@@ -110,30 +112,5 @@ def _field(
     # A field that is not given is offered where a number can be typed, and no other excludes it.
     if typed is None and (known.unit is None or path[-1] in EXCLUSIVE or STEADY_ARM in path):
         return None
-    place = found.get(".".join(map(str, path)))
-    return {
-        "field": ".".join(map(str, path)),
-        "label": str(path[-1]).replace("_", " ").capitalize(),
-        "typed": [_value(one) for one in typed] if isinstance(typed, list) else typed,
-        "value": _in_si(typed, known),
-        "unit": known.unit,
-        "units": known.units,
-        "minimum": known.minimum,
-        "maximum": known.maximum,
-        "description": known.description,
-        "line": place["line"] if place else None,
-        "required": known.required,
-        "choices": known.choices,
-    }
-
-
-def _in_si(typed: Any, known: About) -> Any:
-    """Return values in SI; None of what is no amount."""
-    if isinstance(typed, list):
-        return [_in_si(_value(one), known) for one in typed]
-    if known.unit is None or isinstance(typed, dict | bool) or typed is None:
-        return typed if isinstance(typed, str | int | float) else None
-    try:
-        return to_si(typed, KEYS[known.unit])
-    except ModelError:
-        return None
+    field = ".".join(map(str, path))
+    return told(field, str(path[-1]), typed, known, found.get(field))

@@ -1,6 +1,7 @@
 """Routes of the editor: mistakes in a text, its fields, changes of one, a copy to begin with."""
 
 import json
+from contextlib import suppress
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -9,12 +10,16 @@ from anyio.to_thread import run_sync
 from starlette.requests import Request
 from starlette.routing import BaseRoute
 
-from arcless.errors import ModelError
-from arcless.model import edit
+from arcless.errors import ArclessError, ModelError
+from arcless.model import Scenario, edit
+from arcless.model.files.yaml_reader import parse
+from arcless.model.load import load_text
 from arcless.model.own_copy import copies, write_copies
+from arcless.model.variants.variant_files import is_variant
 from arcless.studio.answers.answers import Refused, json_body, route
 from arcless.studio.model_text import check, form
 from arcless.studio.project import texts
+from arcless.studio.project.kinds import kind_of
 from arcless.studio.project.project import Project, is_shipped
 from arcless.study import json_schema
 from arcless.units import show
@@ -28,8 +33,8 @@ def routes(project: Project) -> list[BaseRoute]:
         return await run_sync(check.check, text, label, file, within)
 
     async def form_of(request: Request) -> Any:
-        text, label, _, _ = await _asked(project, request)
-        return await run_sync(form.form, text, label)
+        text, label, file, within = await _asked(project, request)
+        return await run_sync(_form, text, label, file, within)
 
     async def patch(request: Request) -> Any:
         text, label, _, _ = await _asked(project, request)
@@ -95,6 +100,16 @@ def patched(text: str, changes: dict[str, Any], label: str) -> str:
         )
         text = change.apply(text)
     return text
+
+
+def _form(text: str, label: str, file: Path, within: Path) -> dict[str, Any]:
+    scenario = None
+    with suppress(ArclessError):  # the check says what is wrong
+        data, _ = parse(text, label)
+        if kind_of(text) == "scenario" and is_variant(data):
+            loaded = load_text(text, file, within)
+            scenario = loaded if isinstance(loaded, Scenario) else None
+    return form.form(text, label, scenario)
 
 
 async def _asked(project: Project, request: Request) -> tuple[str, str, Path, Path]:

@@ -99,6 +99,10 @@ class MotionSource(Protocol):
         """Interval of the rows in s; 0 where it is not known."""
 
     @property
+    def search(self) -> int | None:
+        """Which attempt of a search for the static force it is, from 1; None of other motion."""
+
+    @property
     def later(self) -> "MotionSource | None":
         """Motion that took the place of this one: of a run begun again, or one that has wires."""
 

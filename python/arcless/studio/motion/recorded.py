@@ -75,6 +75,7 @@ class Recorded(ABC):
 
     channels: list[Channel]
     final = True
+    search: int | None = None
 
     def __init__(self, times: Floats) -> None:
         self.later: MotionSource | None = None

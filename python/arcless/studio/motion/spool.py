@@ -94,6 +94,8 @@ class SpooledMotion:
         Interval of the rows in s.
     estimated_end_s
         Time in s of the last row of all.
+    search
+        Which attempt of a search for the static force it is, from 1; None: it is the run.
     """
 
     def __init__(
@@ -104,7 +106,9 @@ class SpooledMotion:
         *,
         every_s: float,
         estimated_end_s: float,
+        search: int | None = None,
     ) -> None:
+        self.search = search
         self.geometry, self.every_s, self.estimated_end_s = geometry, every_s, estimated_end_s
         self.end_s, self.final = 0.0, False
         self.later: SpooledMotion | None = None

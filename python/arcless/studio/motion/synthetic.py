@@ -33,6 +33,7 @@ class SyntheticMotion:
     start_s: float = 0.0
     final: bool = True
     later: MotionSource | None = None
+    search: int | None = None
 
     @property
     def estimated_end_s(self) -> float:

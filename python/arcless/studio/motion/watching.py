@@ -25,9 +25,15 @@ class Announce(Protocol):
     """Tells the server of a motion, and returns what takes its rows."""
 
     def __call__(
-        self, layout: RowLayout, geometry: Geometry, *, every_s: float, end_s: float
+        self,
+        layout: RowLayout,
+        geometry: Geometry,
+        *,
+        every_s: float,
+        end_s: float,
+        search: int | None,
     ) -> SpoolWriter:
-        """Announce a motion: layout and line, interval and end in s."""
+        """Announce a motion: layout and line, interval and end in s, which attempt of a search."""
 
 
 class Watching:
@@ -101,6 +107,7 @@ class Watching:
             self._layout, geometry_at_rest(piece.found, self._scenario.line),
             every_s=piece.layout.every * self._scenario.time_step_s,
             end_s=self._scenario.duration,
+            search=piece.attempt if piece.searching else None,
         )  # fmt: skip
 
     def _rows(self, piece: MotionPiece) -> NDArray[np.void]:

@@ -48,11 +48,21 @@ class Models:
         """Return the entries of all model files among some, by their paths."""
         with self._lock:
             found = list(self._models(files))
+        wrong = {path: known for path, known in found if known.error}
         return [
-            known.entry | ({"error": known.error} if known.error else {})
+            known.entry | ({"error": self._told(known, wrong)} if known.error else {})
             for _, known in found
             if known.entry is not None
         ]
+
+    def _told(self, known: _Known, wrong: dict[Path, _Known]) -> str:
+        """Return why a file cannot be read; of a file that it names, which says why itself, so."""
+        error = (known.error or "").replace(f"{self._project.folder}/", "")
+        for path in sorted(known.names & wrong.keys()):
+            label = self._project.name_of(path)
+            if error.startswith(f"{label}:"):
+                return f"names {label}, which cannot be read"
+        return error
 
     def check(self, files: Files) -> bool:
         """Read models as `arcless check` does where they changed; return whether any verdict did.
@@ -110,7 +120,7 @@ class Models:
         try:
             load(known.text, path, self._project.folder)
         except ArclessError as error:
-            return str(error).replace(str(path), known.entry["path"])
+            return str(error)
         return None
 
 

@@ -1,8 +1,8 @@
 """Functions of worker processes: a run, its report on paper, its explanation."""
 
 from contextlib import ExitStack
+from functools import partial
 from pathlib import Path
-from tempfile import TemporaryDirectory
 from typing import Any
 
 import numpy as np
@@ -14,9 +14,11 @@ from arcless.results.kept_runs.places import RESULT_NAME
 from arcless.results.kept_runs.reading import read
 from arcless.results.run_folder import files
 from arcless.results.run_folder.run_folder import for_run
+from arcless.storage import hidden_files
 from arcless.studio.at_rest.of_run import geometry_of_run
-from arcless.studio.jobs.talk import Talk
+from arcless.studio.jobs.spooling import spooled
 from arcless.studio.motion.watching import Watching
+from arcless.studio.processes.talk import Talk
 from arcless.studio.runs.order import Order
 
 # A file as it was: when it was changed, how large it is, and which one it is on the disk.
@@ -38,10 +40,9 @@ def run(talk: Talk, order: Order) -> dict[str, Any]:
     with for_run(order.folder, overwrite=order.replace) as folder:
         result = _simulate(talk, order.scenario, folder.file(RESULT_NAME), order.command)
         _note_others(talk, result, order)
-        talk.progress(1.0, "assessment and report")
         if talk.cancel():
             raise KeyboardInterrupt
-        files.write(result, folder, reference_rows)
+        files.write(result, folder, reference_rows, lambda doing: talk.progress(1.0, doing))
     return described(order.folder)
 
 
@@ -51,8 +52,8 @@ def motion(talk: Talk, file: Path) -> bool:
     Nothing is written but the spool.
     """
     stored = open_result(file)
-    with TemporaryDirectory(prefix="arcless-studio-") as folder:
-        again = _simulate(talk, stored.scenario, Path(folder) / RESULT_NAME, None)
+    with hidden_files.temporary_folder() as folder:
+        again = _simulate(talk, stored.scenario, folder / RESULT_NAME, None)
         before, now = (one.recorded["contact_force"].values for one in (stored, again))
         same = bool(np.array_equal(before, now))
     if not same:
@@ -68,7 +69,7 @@ def _simulate(talk: Talk, scenario: Scenario, to: Path, command: str | None) -> 
     from arcless import simulate
 
     with ExitStack() as stack:
-        watching = Watching(scenario, talk.motion) if talk.shows() else None
+        watching = Watching(scenario, partial(spooled, talk)) if talk.shows() else None
         result = simulate.run(
             scenario,
             to=to if simulate.is_long(scenario) else None,
@@ -140,11 +141,11 @@ def write_report(talk: Talk, file: Path, to: Path) -> str:
     from arcless.validate import reference_rows
 
     result = open_result(file)
-    talk.progress(0.1, "assessment")
+    talk.progress(0.1, "assessing")
     rows = reference_rows(result.scenario, result.assessment.to_dict())
     if talk.cancel():
         raise KeyboardInterrupt
-    talk.progress(0.3, "report")
+    talk.progress(0.3, "writing the report")
     write = result.write_pdf if to.suffix == ".pdf" else result.write_report
     write(to, reference_rows=rows)
     return to.name

@@ -12,6 +12,7 @@ from pathlib import Path
 
 from arcless.errors import OutputError
 from arcless.studio.project.project import Project
+from arcless.studio.runs import left_behind
 from arcless.studio.server import page
 from arcless.studio.server.app import application
 from arcless.studio.server.crowd import Crowd, protocol
@@ -52,6 +53,7 @@ def serve(folder: Path, port: int, ready: Callable[[str, str], None]) -> None:
 
     page.check_built()
     project = Project.of(folder)
+    left_behind.sweep(project)
     logging.getLogger("uvicorn").setLevel(logging.CRITICAL)  # of bad questions nobody is told
     with _listening(port) as listener:
         keys, crowd, came = Keys(listener.getsockname()[1]), Crowd(), list[int]()

@@ -8,7 +8,10 @@ from typing import Any
 from arcless.studio.stream.outbox import Outbox
 
 # Messages of which the newest counts, by topic: the part of it that tells one from another.
-_NEWEST = {"project": None, "file": "path", "job": "id", "study": "path"}
+_NEWEST = {"beat": None, "project": None, "file": "path", "job": "id", "study": "path"}
+# Time in s between two signs of life. A page that has heard nothing for three of them says that the
+# server does not answer. Longer, and it says so late; shorter, and an idle machine has more to do.
+BEAT_S = 2.0
 
 
 class Hub:
@@ -22,10 +25,12 @@ class Hub:
     async def at_work(self) -> AsyncIterator[None]:
         """Be there while the server is."""
         self._loop = asyncio.get_running_loop()
+        beating = asyncio.create_task(self._beat())
         try:
             yield
         finally:
             self._loop = None
+            beating.cancel()
 
     def tell(self, message: dict[str, Any]) -> None:
         """Tell all pages a message ``{topic, …}``; callable from any thread.
@@ -45,6 +50,12 @@ class Hub:
             yield
         finally:
             self._pages.discard(page)
+
+    async def _beat(self) -> None:
+        """Tell pages that the server is there: a stopped one tells nothing, and closes nothing."""
+        while True:
+            await asyncio.sleep(BEAT_S)
+            self._tell({"topic": "beat"})
 
     def _tell(self, message: dict[str, Any]) -> None:
         topic = message.get("topic")

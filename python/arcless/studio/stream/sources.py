@@ -39,6 +39,7 @@ def announced(source: MotionSource, numbers: range, *, again: bool) -> dict[str,
         "estimated_end_s": source.estimated_end_s,
         "final": source.final,
         "again": again,
+        "search": source.search,
         "every_s": source.every_s,
         "wires": moves_wires(source),
     }

@@ -1,51 +1,51 @@
-"""Studies that this server computes: `arcless study run`, each in a process of its own.
+"""Studies that this server computes, each in a process of its own.
 
 The process keeps its journal itself; the server only starts it, and stops it as Ctrl-C would. So a
 study is continued as well from a terminal, and the other way round.
 """
 
 import os
-import signal
-import subprocess
-import sys
-import tempfile
 from collections.abc import AsyncIterator
+from concurrent.futures import Future
 from contextlib import asynccontextmanager
-from dataclasses import dataclass
 from pathlib import Path
-from typing import IO
+from typing import Any
 
-from arcless.errors import StudyError
+from arcless import study
+from arcless.errors import ArclessError, StudyError
+from arcless.studio.answers.page_words import in_page_words
+from arcless.studio.processes.ends import Cancelled, Failed
+from arcless.studio.processes.talk import Talk
+from arcless.studio.processes.worker import Worker
 
 # Time in s for a study to write its table when the server ends. Its rows are on the disk already;
-# shorter, the table is older than the rows.
-LAST_TABLE = 3.0
-# Bytes of what a study said last that are looked at.
-_LAST_WORDS = 4096
-
-
-@dataclass
-class _Process:
-    process: subprocess.Popen[bytes]
-    said: IO[bytes]
-    is_stopped: bool = False
+# shorter, the table is older than the rows; longer, a study that hangs outlives the server.
+LAST_TABLE = 5.0
+# Time in s for a study that is stopped to put its table and its workers in order, before it is
+# ended by force: a cluster of Dask takes the longest.
+STOPS_WITHIN = 20.0
 
 
 class Computing:
     """Processes by the folder of their study."""
 
     def __init__(self) -> None:
-        self._all: dict[Path, _Process] = {}
+        self._all: dict[Path, tuple[Worker, Future[Any]]] = {}
 
-    def start(self, words: list[str], folder: Path, project: Path) -> None:
-        """Start `arcless study WORDS`.
+    def start(
+        self, file: Path, folder: Path, project: Path, *,
+        resume: bool = False, retry_failed: bool = False,
+    ) -> None:  # fmt: skip
+        """Start a study, or continue it, as `arcless study` does.
 
         Parameters
         ----------
-        words
-            Of the command line, after `study`.
+        file
+            The study file.
         folder, project
-            The study's folder, and the folder the command runs in.
+            The study's folder, and the folder below which it is the usual one.
+        resume, retry_failed
+            See `arcless.study.run`.
 
         Raises
         ------
@@ -54,18 +54,10 @@ class Computing:
         """
         if self.is_running(folder):
             raise already(folder)
-        said = tempfile.TemporaryFile()  # noqa: SIM115 - closed with the process
-        process = subprocess.Popen(
-            [sys.executable, "-m", "arcless", "study", *words],
-            cwd=project,
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.DEVNULL,
-            stderr=said,
-            env={**os.environ, "NO_COLOR": "1"},
-            # Ctrl-C of the server's terminal is not for it: the server stops it.
-            start_new_session=True,
-        )
-        self._all[folder] = _Process(process, said)
+        worker = Worker(LAST_TABLE)
+        end = worker.do(_compute, file, project, resume, retry_failed)
+        end.add_done_callback(lambda _: worker.leave())
+        self._all[folder] = worker, end
 
     def write_report(self, folder: Path) -> None:
         """Write the report of a study, in a process of its own: it takes seconds.
@@ -75,15 +67,18 @@ class Computing:
         StudyError
             It cannot be written; the message says why.
         """
-        command = [sys.executable, "-m", "arcless", "study", "report", os.fspath(folder)]
-        done = subprocess.run(command, capture_output=True, check=False, stdin=subprocess.DEVNULL)
-        if done.returncode:
-            raise StudyError("no report of the study", got=_last_error(done.stderr))
+        worker = Worker()
+        try:
+            worker.do(_report, folder).result()
+        except (ArclessError, Failed) as error:
+            raise StudyError("no report of the study", got=str(error)) from None
+        finally:
+            worker.leave()
 
     def is_running(self, folder: Path) -> bool:
-        """Return whether the process of a study runs."""
+        """Return whether a study is being computed."""
         one = self._all.get(folder)
-        return one is not None and one.process.poll() is None
+        return one is not None and not one[1].done()
 
     def stop(self, folder: Path) -> None:
         """Stop a study, which keeps its rows.
@@ -98,30 +93,22 @@ class Computing:
                 "the study is not computed by this studio", where=folder.name,
                 hint="stop it where it was started",
             )  # fmt: skip
-        one = self._all[folder]
-        one.is_stopped = True
-        one.process.send_signal(signal.SIGINT)
+        self._all[folder][0].cancel(STOPS_WITHIN)
 
     def error(self, folder: Path) -> str | None:
         """Return what ended a study before its time, in a sentence; None where nothing did."""
         one = self._all.get(folder)
-        if one is None or one.is_stopped or not one.process.poll():
+        error = one[1].exception() if one is not None and one[1].done() else None
+        if error is None or isinstance(error, Cancelled):
             return None
-        one.said.seek(0)
-        return _last_error(one.said.read())
+        return in_page_words(str(error))
 
     @asynccontextmanager
     async def at_work(self) -> AsyncIterator[None]:
         """Be there while the server is; stop all studies with it, which keep their rows."""
         yield
-        running = [one for one in self._all.values() if one.process.poll() is None]
-        for one in running:
-            one.process.send_signal(signal.SIGINT)
-        for one in running:
-            try:
-                one.process.wait(LAST_TABLE)
-            except subprocess.TimeoutExpired:
-                one.process.kill()
+        for worker, _ in self._all.values():
+            worker.leave(LAST_TABLE)
 
 
 def already(folder: Path) -> StudyError:
@@ -130,7 +117,16 @@ def already(folder: Path) -> StudyError:
     return StudyError(what, where=folder.name, hint="stop it first")
 
 
-def _last_error(said: bytes) -> str:
-    lines = said[-_LAST_WORDS:].decode("utf-8", "replace").strip().splitlines()
-    errors = [line for line in lines if line.startswith("error: ")]
-    return (errors or lines or ["the process ended"])[-1].removeprefix("error: ")
+def _compute(talk: Talk, file: Path, project: Path, resume: bool, retry_failed: bool) -> None:
+    os.chdir(project)  # the usual folder of a study is below the current one
+    asked = study.load(file)
+    done = study.run(asked, resume=resume, retry_failed=retry_failed, cancel=talk.cancel)
+    if not done.counts["done"]:
+        raise StudyError("no variant has a value", where=asked.name, hint="each row says why")
+
+
+def _report(_talk: Talk, folder: Path) -> None:
+    from arcless.study.folder.started_studies import located
+    from arcless.study.report import write
+
+    write(*located(folder))

@@ -59,6 +59,13 @@ def fields(scenario: Scenario) -> list[VariedField]:
     ]
 
 
+def words_of_field(path: str) -> str:
+    """Return a field by its dotted path in words, as the list of fields has it."""
+    *above, last = path.split(".")
+    group, label = _words(above), _words([last])
+    return (f"{group}: {label}" if group else label).capitalize()
+
+
 def _numbers(part: BaseModel, above: tuple[str, ...]) -> Iterator[tuple[str, float, Unit, str]]:
     """Yield dotted path, value in SI, unit and description of each number."""
     for name, about in type(part).model_fields.items():

@@ -11,12 +11,16 @@ from pathlib import Path
 from typing import Any
 
 from arcless import study
+from arcless.assess import NOT_JUDGED
 from arcless.errors import ArclessError
 from arcless.model.files.yaml_reader import parse
+from arcless.studio.studies.fields import words_of_field
+from arcless.studio.studies.verdicts import RowVerdict, RowVerdicts
 from arcless.study.folder.table import unit_of_output
 from arcless.study.journal.journal import is_locked
 from arcless.study.journal.row import Row
 from arcless.study.optimisation.optimise import Optimise
+from arcless.study.report.data.record import decimals_of, pantograph_of, quantity_of
 
 # Ranges of missing variants that are read one by one; with more of them all is read at once, which
 # is quicker than many small questions.
@@ -43,6 +47,7 @@ class KeptRows:
     def _begin(self) -> None:
         self.place = study.open(self.folder)
         self.edition = secrets.token_hex(4)
+        self._verdicts = RowVerdicts(self.place.study)
         self._rows: list[list[Any]] = []
         self._there: set[int] = set()
         self._counts: Counter[str] = Counter()
@@ -70,26 +75,34 @@ class KeptRows:
             "running": running,
             "wall_time_s": self._time,
             "missing": missing,
+            "criteria": self._verdicts.criteria,
+            "not_judged": self._verdicts.unknown,
         }
 
     def _read(self) -> None:
         stamp = self._stamp_now()
         if stamp == self._stamp:
             return
-        for first, last in self._gaps():
-            for row in self.place.rows(first, last):
-                if row.variant not in self._there:
-                    self._there.add(row.variant)
-                    self._rows.append(self._plain(row))
-                    self._counts[row.status] += 1
-                    self._time += row.wall_time_s
+        found = {
+            row.variant: row
+            for first, last in self._gaps()
+            for row in self.place.rows(first, last)
+            if row.variant not in self._there
+        }
+        verdicts = self._verdicts.of(list(found.values()))
+        for number, row in found.items():
+            self._there.add(number)
+            self._rows.append(self._plain(row, verdicts.get(number)))
+            self._counts[row.status] += 1
+            self._time += row.wall_time_s
         self._stamp = stamp
 
-    def _plain(self, row: Row) -> list[Any]:
+    def _plain(self, row: Row, verdict: RowVerdict | None) -> list[Any]:
         asked = self.place.study
         values = [row.values.get(axis.name) for axis in asked.axes]
         outputs = [row.outputs.get(name) for name in asked.outputs]
-        return [row.variant, row.status, *values, *outputs, row.error, row.wall_time_s]
+        judged = (NOT_JUDGED, []) if verdict is None else (verdict.word, verdict.criteria)
+        return [row.variant, row.status, *values, *outputs, *judged, row.error, row.wall_time_s]
 
     def _gaps(self) -> list[tuple[int, int]]:
         total = self.place.study.plan.count
@@ -138,11 +151,14 @@ def definition(place: study.StudyFolder) -> dict[str, Any]:
         "count": asked.plan.count,
         "variables": [
             {"name": axis.name, "field": axis.field, "unit": axis.typed_unit, "scale": axis.scale,
+             "label": words_of_field(axis.field),
              "description": asked.variables[axis.name].description}
             for axis in asked.axes
         ],
         "outputs": [
             {"name": name, "expression": output.expression, "unit": unit_of_output(asked, name),
+             "label": quantity_of(output.expression) or name, "of": pantograph_of(asked, name),
+             "decimals": decimals_of(output.expression),
              "description": output.description, "objective": objectives.get(name),
              "bounds": bounds.get(name)}
             for name, output in asked.outputs.items()

@@ -35,10 +35,10 @@ def routes(project: Project, computing: Computing) -> list[BaseRoute]:
 
     async def text(request: Request) -> Any:
         asked = await json_body(request)
-        given, before = asked.get("definition"), asked.get("text")
-        if not isinstance(given, dict) or not isinstance(before, str | None):
-            raise Refused(400, "A definition and a text are expected")
-        return await run_sync(desk.text, _text(asked, "path"), given, before)
+        given = asked.get("definition")
+        if not isinstance(given, dict):
+            raise Refused(400, "A definition is expected")
+        return await run_sync(desk.text, _text(asked, "path"), given)
 
     async def run(request: Request) -> Any:
         asked = await json_body(request)

@@ -21,6 +21,8 @@ from arcless.study.report.commands import amount_of
 def scenario_of(project: Project, place: StudyFolder, number: int, name: str) -> dict[str, str]:
     """Write the scenario of a variant, `base` and `set`; return its path.
 
+    A file that says so already stays.
+
     Raises
     ------
     ModelError
@@ -34,6 +36,8 @@ def scenario_of(project: Project, place: StudyFolder, number: int, name: str) ->
     base = _base(project, place, target.parent)
     text = variant_text(name, base, _changes(place, number))
     _check_same(project, text, target, wanted.to_dict())
+    if target.is_file() and texts.read(project, path)["text"] == text:
+        return {"path": path}  # opened before
     texts.write(project, path, text, None)
     return {"path": path}
 

@@ -254,6 +254,25 @@ class StudyFolder:
 
         return table.data_frame(self.study, self.rows())
 
+    def export(self, path: str | Path) -> None:
+        """Write the rows that are there for other programs; a file that exists is replaced.
+
+        Parameters
+        ----------
+        path
+            A name that ends in .csv or .xlsx; columns are those of `to_dataframe`.
+
+        Raises
+        ------
+        OutputError
+            Another ending, more rows than a sheet takes, or the file cannot be written.
+        StudyError
+            The package pyarrow is not installed.
+        """
+        from arcless.study.folder.export import export
+
+        export(self.study, self.rows(), Path(path))
+
     def __repr__(self) -> str:
         return f"<StudyFolder {self.study.name}: {self.path}>"
 

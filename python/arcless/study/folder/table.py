@@ -1,5 +1,6 @@
 """The table of a study: a Parquet file with a row for each variant, whole or absent."""
 
+import json
 from collections.abc import Callable, Iterable
 from io import BytesIO
 from itertools import islice
@@ -7,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from arcless.errors import StudyError
+from arcless.storage.csv_files import Column
 from arcless.storage.whole_files import write_bytes
 from arcless.study.definition.quantities import is_number, unit_of_key
 from arcless.study.definition.study import Study
@@ -19,6 +21,8 @@ if TYPE_CHECKING:
 
 # Rows that are in memory at once; a group of rows of the file. Some tens of MB.
 PART = 20_000
+# Units of numbers without a unit.
+_PLAIN = ("", "1")
 
 
 def check_available() -> None:
@@ -99,11 +103,24 @@ def data_frame(study: Study, rows: Iterable[Row]) -> "pandas.DataFrame":
     check_available()
     made = table(study, rows).to_pandas()
     units = {column.name: column.unit for column in _columns(study)}
-    plain = ("", "1")  # numbers without a unit
-    headers = {n: n if unit in plain else f"{n} [{unit}]" for n, unit in units.items()}
+    headers = {n: n if unit in _PLAIN else f"{n} [{unit}]" for n, unit in units.items()}
     made = made.rename(columns=headers).set_index("variant")
     made.attrs["units"] = {headers[name]: unit for name, unit in units.items()}
     return made
+
+
+def columns(study: Study, rows: Iterable[Row]) -> list[Column]:
+    """Return rows as columns of texts and numbers; what is neither is a text in JSON."""
+    check_available()
+    values = table(study, rows).to_pydict()
+    return [
+        Column(c.name, "" if c.unit in _PLAIN else c.unit, [_plain(one) for one in values[c.name]])
+        for c in _columns(study)
+    ]
+
+
+def _plain(value: Any) -> Any:
+    return value if value is None or isinstance(value, str | int | float) else json.dumps(value)
 
 
 class _Column(NamedTuple):

@@ -48,7 +48,7 @@ def test_the_same_force_has_no_differences(file: Path, offset: float) -> None:
             # Samples of other places, 0.1 m apart, and edges of the section by 0.02 m.
             assert one.differences[1] == pytest.approx(0.0, abs=0.05), one.key
     assert found.warnings == ()
-    assert found.names == ("synthetic", "test run")
+    assert found.names == ("synthetic", "test run (measured)")
 
 
 def test_bands_are_those_of_the_waves(file: Path) -> None:
@@ -241,13 +241,13 @@ def test_samples_that_were_left_out_do_not_count(file: Path) -> None:
     assert highest.values[1] < 160.0
     assert any("is left out" in text for text in found.warnings)
     (curve,) = [one for one in found.figures["force"][0].layers
-                if isinstance(one, Curve) and one.name == "test run"]  # fmt: skip
+                if isinstance(one, Curve) and one.name == "test run (measured)"]  # fmt: skip
     # The gap, and 0.2 s at both of its ends, where the filter makes numbers up.
     inner = curve.y[(curve.x > 216.5) & (curve.x < 229.5)]
     assert np.isnan(inner).all()
     assert np.nanmax(curve.y) < 160.0
     bars = [one for one in found.figures["by_span"][0].layers
-            if isinstance(one, Bars) and one.name == "test run"]  # fmt: skip
+            if isinstance(one, Bars) and one.name == "test run (measured)"]  # fmt: skip
     assert bars[0].high.size == 2  # of four spans, those without a gap
 
 
@@ -367,7 +367,7 @@ def test_plain_values_are_json_and_the_page_stands(file: Path, tmp_path: Path) -
             assert one.alt
     for key in ("force", "folded", "by_span", "spectrum", "histogram", "octaves", "height"):
         names = {layer.name for layer in found.figures[key][0].layers}
-        assert {"synthetic", "test run"} <= names, key
+        assert {"synthetic", "test run (measured)"} <= names, key
     found.write_report(tmp_path / "page.html")
     text = (tmp_path / "page.html").read_text("utf-8")
     for words in ("Simulation against line test", "mark C", "third octave about 7.94 Hz",

@@ -32,6 +32,22 @@ def dataset():
     )
 
 
+@pytest.mark.parametrize(
+    ("content", "words"),
+    [
+        (b"", "an empty file"),
+        (b"PK\3\4" + bytes(100), "an Excel workbook or another ZIP file"),
+        (b"time [s],contact_force [N]\n0,100\n", "a file of another kind"),
+    ],
+)
+def test_a_file_of_another_kind_is_named(tmp_path: Path, content: bytes, words: str) -> None:
+    path = tmp_path / "x.xlsx"
+    path.write_bytes(content)
+    with pytest.raises(ResultFormatError, match=f"got {words}, expected a NetCDF file") as raised:
+        open_dataset(path)
+    assert "CSV" in str(raised.value.hint)
+
+
 def test_round_trip_keeps_every_bit(dataset, tmp_path: Path) -> None:
     save(dataset, tmp_path / "x.nc")
     again = open_dataset(tmp_path / "x.nc")

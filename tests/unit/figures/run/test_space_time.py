@@ -3,15 +3,19 @@
 import numpy as np
 import pytest
 
+import arcless
 from arcless.assess import assess
 from arcless.figures import paper
 from arcless.figures.description import Curve, Map, Segments
 from arcless.figures.run import space_time
 from arcless.figures.run.run_data import RunData
 from arcless.figures.run.space_time import COLUMNS, ROWS, WaveLine, fronts
-from arcless.figures.wires.wire_velocity import Grid, WireMotion
+from arcless.figures.wires.wire_motion import contact_wires
+from arcless.figures.wires.wire_velocity import Grid, WireMotion, velocity_grid
 from tests.support.synthetic import SPAN_M, synthetic_dataset
 
+# Ahead of the pantograph, m: nearer the wire follows it, farther away little moves.
+AHEAD_M = (30.0, 120.0)
 SPEED, C = 20.0, 100.0  # m/s; the drawn wire has 10 kN and 1 kg/m
 
 
@@ -103,6 +107,37 @@ def test_fronts_end_where_nothing_was_recorded() -> None:
 
 def test_a_line_as_designed_has_the_wave_speed_of_tension_and_mass(run: RunData) -> None:
     assert space_time.wave_speed(run) == pytest.approx(C)
+
+
+def test_in_a_run_the_pattern_ahead_of_the_pantograph_follows_the_fronts() -> None:
+    """Of cells along lines of one slope, those at the drawn speed are most alike."""
+    scenario = arcless.load("en50318-ac-simple-320-planar").with_(output={"motion": True})
+    result = arcless.run(scenario)
+    data = result.dataset
+    time, place = data["time"].values, data["position"].values[:, 0]
+    begin, end = 4.0, 6.0  # s, spans 8 to 11 of 20
+    x = float(np.interp(begin, time, place)), float(np.interp(end, time, place)) + AHEAD_M[1]
+    grid = velocity_grid(contact_wires(data), x, (begin, end), 800, 500)
+    rows, columns = grid.values.shape
+    step, apart = (end - begin) / rows, (x[1] - x[0]) / columns
+    at = x[0] + apart * (np.arange(columns) + 0.5)
+    away = at[None, :] - np.interp(begin + step * (np.arange(rows) + 0.5), time, place)[:, None]
+    # Behind the pantograph waves run both ways; ahead of it they run away.
+    values = np.where((away > AHEAD_M[0]) & (away < AHEAD_M[1]), grid.values, np.nan)
+
+    def alike(speed: float) -> float:
+        lag = round(0.1 / step)
+        shift = round(speed * lag * step / apart)
+        one, two = values[:-lag, : columns - shift], values[lag:, shift:]
+        both = np.isfinite(one) & np.isfinite(two)
+        return float(np.corrcoef(one[both], two[both])[0, 1])
+
+    speeds = np.arange(90.0, 200.0, 2.0)
+    found = speeds[int(np.argmax([alike(speed) for speed in speeds]))]
+    drawn = space_time.wave_speed(RunData(data, result.assessment))
+    # Droppers and clamps slow waves down, bending makes short ones faster: both by some percent.
+    # The messenger wire has 121.7 m/s, and the train 88.9 m/s.
+    assert found == pytest.approx(drawn, rel=0.03)
 
 
 def test_few_cells_are_beyond_the_scale(run: RunData) -> None:

@@ -1,8 +1,11 @@
 """Recorded motion of a result → each contact wire with its own nodes."""
 
+from pathlib import Path
+
 import numpy as np
 import xarray
 
+import arcless
 from arcless.figures.wires.wire_motion import contact_wires
 from tests.support.synthetic import synthetic_dataset
 
@@ -68,3 +71,14 @@ def test_a_single_contact_wire_has_all_nodes() -> None:
     dataset = recorded({"contact_wire 1": 3, "messenger_wire 1": 2})
     (one,) = contact_wires(dataset)
     assert one.x.size == dataset.sizes["contact_wire_node"]
+
+
+def test_of_a_file_the_columns_of_other_wires_are_not_read(tmp_path: Path) -> None:
+    short = {"travel.end": "200 m", "analysis.spans": [2, 3], "output.motion": True}
+    run = arcless.run(arcless.load("en50318-ac-simple-320-planar").with_(**short))
+    run.save(tmp_path / "result.nc")
+    opened = arcless.open(tmp_path / "result.nc").recorded
+    (found,), (known,) = contact_wires(opened), contact_wires(run.recorded)
+    np.testing.assert_array_equal(found.up, known.up)
+    # Of the contact wire alone: neither it nor the messenger wire is kept by the file.
+    assert opened.read_bytes < found.up.nbytes < run.recorded["motion_up"].values.nbytes

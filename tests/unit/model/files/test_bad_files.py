@@ -25,6 +25,7 @@ BOMB = "a: &a [x, x, x, x, x, x, x, x, x]\n" + "\n".join(
     [
         (b"", "empty file: expected a model file that starts with format:"),
         (b"# only a comment\n", "empty file"),
+        ("a: 1".encode("utf-16"), "not a text file in UTF-8: got text in UTF-16"),
         (b"\x89PNG\r\n\x1a\n\0\0", "not a text file: got binary data"),
         ("name: Straße".encode("latin-1"), "x.yaml:1: not a text file: got byte 0xdf"),
         (b"a: [1, 2\nb: 3", "x.yaml:2: not valid YAML"),

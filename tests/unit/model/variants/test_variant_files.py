@@ -104,6 +104,22 @@ def test_mistakes(folder: Path, text: str, line: int | None, words: tuple[str, .
         assert word in str(raised.value)
 
 
+def test_tables_named_in_a_variant_stand_beside_it(folder: Path) -> None:
+    (folder / "errors.csv").write_text("span,dropper,length_error mm\n1,1,5\n", "utf-8")
+    path = written(folder, f"base: {BASE}\nset:\n  as_built.dropper_length_errors: errors.csv\n")
+    (error,) = load(path).as_built.dropper_length_errors
+    assert error.length_error == pytest.approx(0.005, rel=1e-12)  # 5 mm, rounding
+
+
+def test_a_wrong_table_is_named_with_the_field_that_names_it(folder: Path) -> None:
+    roof = folder / "roof.csv"
+    roof.write_text("time [s],displacement [mm]\n0,0,0\n", "utf-8")
+    path = written(folder, f"base: {BASE}\nset:\n  pantographs.0.roof_motion: {{file: roof.csv}}\n")
+    with pytest.raises(ModelError) as raised:
+        load(path)
+    assert f"{roof}:2 (named in {path}:" in str(raised.value)
+
+
 def test_a_circle(folder: Path) -> None:
     first = written(folder, "base: other.yaml\n")
     written(folder, "base: tight.yaml\n", "other")

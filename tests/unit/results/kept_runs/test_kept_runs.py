@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import arcless
+from arcless.dataset.netcdf import lazy_reader
 from arcless.dataset.schema import ATTRIBUTES
 from arcless.errors import ResultFormatError
 from arcless.model import load
@@ -41,6 +42,18 @@ def only(folder: Path) -> KeptRun:
     return found
 
 
+def test_no_variable_of_a_run_with_its_assessment_is_opened(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    saved(tmp_path / "one")
+    known = only(tmp_path)
+    monkeypatch.setattr(lazy_reader, "split", None)
+    assert known.verdict == "met"
+    assert only(tmp_path) == known
+    (tmp_path / "one" / "assessment.json").unlink()
+    assert only(tmp_path).verdict == "unreadable"  # it is assessed, and cannot be
+
+
 @pytest.fixture
 def never(monkeypatch: pytest.MonkeyPatch) -> None:
     """Fail where a run is assessed."""
@@ -63,6 +76,19 @@ def test_numbers_are_those_of_the_assessment(tmp_path: Path) -> None:
     assert found.max_uplift_at_support_mm == assessment.max_uplift_at_support_mm
     assert found.speed_m_s == assessment.speed_m_s
     assert found.worst is own
+
+
+def test_lines_of_one_name_are_told_apart_by_what_they_say(tmp_path: Path) -> None:
+    data = scenario_data()
+    stiffer = json.loads(json.dumps(data))
+    stiffer["line"]["contact_wire"]["tension"] *= 1.1
+    told = json.loads(json.dumps(data))
+    told["line"]["description"] = "the same line in other words"
+    for name, one in (("a", data), ("b", stiffer), ("c", told)):
+        saved(tmp_path / name, scenario=one)
+    found = {one.path.name: one for one in arcless.runs(tmp_path)}
+    assert {one.line for one in found.values()} == {data["line"]["name"]}
+    assert found["a"].line_digest == found["c"].line_digest != found["b"].line_digest
 
 
 def test_a_criterion_that_is_not_met_is_named(tmp_path: Path) -> None:
@@ -95,6 +121,17 @@ def test_without_a_limit_that_decides_nothing_is_met(tmp_path: Path) -> None:
     for one in criteria:
         one.update(mark="A", passed=None, reason="too close to tell: 0.1 N")
     assert reading.judged(criteria)[0] == "met"  # as `Assessment.passed` has it
+
+
+def test_a_run_whose_deviation_is_not_judged_is_not_met(tmp_path: Path) -> None:
+    saved(tmp_path, section=(200.0, 280.0))  # spans of 50 m: fewer than two
+    found = only(tmp_path)
+    assert found.verdict == "not judged"
+    assert found.reason is not None
+    assert "not judged: standard deviation σ, statistical maximum" in found.reason
+    # What is not judged for want of a value or of a limit is not told: it could not be compared.
+    assert "lateral" not in found.reason
+    assert "uplift" not in found.reason
 
 
 def test_of_several_pantographs_the_worst_leads(tmp_path: Path) -> None:

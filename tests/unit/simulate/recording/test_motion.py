@@ -85,6 +85,9 @@ def test_a_run_is_the_same_with_and_without(name: str) -> None:
     assert not [each for each in watched.variables if str(each).startswith("motion")]
     last = [piece for piece in pieces if piece.attempt == pieces[-1].attempt]
     assert len(last) > 3
+    # A mean force is asked for or not; of a search the last attempt is the run.
+    is_searched = scenario(name).pantographs[0].mean_force is not None
+    assert {piece.searching for piece in pieces} == {is_searched}
     for attribute, variable in (
         ("up_m", "motion_up"),
         ("time_s", "motion_time"),
@@ -210,13 +213,18 @@ def test_a_wire_alone_needs_no_lane() -> None:
     assert lanes[0].count == 100
 
 
-def test_a_long_run_that_is_only_watched_has_fewer_rows(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_long_run_has_fewer_rows(monkeypatch: pytest.MonkeyPatch) -> None:
     planned = scenario("en50318-ac-simple-320-planar")
     found = arcless.statics(planned).equilibrium
     short = motion.layout_of(found, planned)
     monkeypatch.setattr(motion, "LONG", 10)
     assert motion.layout_of(found, planned).every == 2 * short.every
-    # What is recorded is as it was asked for, and the size that is told is of that.
+    # So it is where motion is recorded, and the size that is told is of that.
     asked = planned.with_(**{"output.motion": True})
-    assert motion.layout_of(found, asked).every == short.every
-    assert motion_bytes(planned, found) == motion_bytes(asked, found)
+    assert motion.layout_of(found, asked).every == 2 * short.every
+    assert motion_bytes(planned, found) == motion_bytes(asked, found) == motion_bytes(asked)
+    # An interval that is given wins.
+    given = planned.with_(**{"output.motion": {"interval": "10 ms"}})
+    assert motion.layout_of(found, given).every == short.every
+    # Each row has the same; by one row more, where their number is odd.
+    assert motion_bytes(given) == pytest.approx(2 * motion_bytes(asked), rel=1e-2)

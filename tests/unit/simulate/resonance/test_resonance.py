@@ -9,9 +9,11 @@ import pytest
 
 import arcless
 from arcless.model import Scenario, load, load_pantograph
+from arcless.model.settings.run_settings import FASTEST_TRAIN
 from arcless.pantograph.natural_modes import modes
 from arcless.simulate.resonance import Band, ResonanceSpeed
 from arcless.simulate.resonance.spans import modes_moved, spans
+from arcless.simulate.resonance.speeds import TOO_FAST
 from tests.support.line_types import scenario_data
 from tests.support.one_wire import MASS, SPAN, TENSION, one_wire
 from tests.support.simple_lines import rail_data, trolley_data
@@ -127,7 +129,18 @@ def test_every_mark_follows_its_formula(short: Short) -> None:
     assert waves == pytest.approx(
         {**expected, "limit of EN 50119": 0.7 * expected["contact wire"]}, rel=1e-12  # rounding
     )  # fmt: skip
-    assert not found.notes
+
+
+def test_speeds_that_no_train_has_are_left_out_and_that_is_said(short: Short) -> None:
+    scenario = short()
+    found = arcless.resonance_speeds(scenario)
+    (span,) = spans(arcless.statics(scenario).equilibrium, scenario.line.span_list(), 80.0)
+    *_, highest = modes(scenario.pantographs[0].model, span.elasticity, 5e4)
+    assert highest.frequency.middle * span.length > FASTEST_TRAIN  # once a span: left out
+    assert max(one.speed.middle for one in found.speeds) <= FASTEST_TRAIN
+    assert speeds_of(scenario, "span and pantograph")
+    assert found.notes == (TOO_FAST,)
+    assert "576 km/h" in TOO_FAST
 
 
 def test_statics_tells_them(short: Short) -> None:

@@ -1,6 +1,7 @@
 """Failures speak the words of the line, and leave a file with which they can be replayed."""
 
 import json
+import pickle
 import re
 from collections.abc import Callable
 from pathlib import Path
@@ -16,6 +17,8 @@ from arcless.equilibrium import equilibrium
 from arcless.errors import ContactError, EquilibriumError
 from arcless.model import Scenario
 from arcless.simulate.runs import failures
+from arcless.simulate.setup.trajectory import Motion
+from arcless.studio.answers.answers import complaint
 
 Short = Callable[..., Scenario]
 
@@ -107,6 +110,33 @@ def test_stepping_errors_in_words(kind: str, details: dict, words: str) -> None:
     mesh = SimpleNamespace(droppers=[])
     with pytest.raises(ContactError, match=words), failures.stepping(mesh, placed("front")):
         raise _core.NativeError(kind, "", details)
+
+
+def test_a_step_that_fails_says_where_the_pantographs_are(short: Short) -> None:
+    mesh = SimpleNamespace(droppers=[])
+    placements: list[Any] = [
+        SimpleNamespace(name="front", distance=0.0), SimpleNamespace(name="rear", distance=35.0)
+    ]  # fmt: skip
+    travel = Motion(np.linspace(100.0, 200.0, 101), np.full(101, 50.0), 0.02)
+    with pytest.raises(ContactError) as caught, failures.stepping(mesh, placements, travel):
+        raise _core.NativeError("not_finite", "", {"step": 12})
+    error = caught.value
+    where = "step 12, t = 0.24 s, front at 112.00 m, rear at 77.00 m"
+    assert str(error).startswith(f"{where}: the motion grew beyond all bounds")
+    assert error.time_s == pytest.approx(12 * 0.02, abs=1e-15)  # rounding
+    assert error.positions_m == {"front": 112.0, "rear": 77.0}
+    # It crosses from the process that stepped to the one that tells it.
+    assert pickle.loads(pickle.dumps(error)).positions_m == error.positions_m
+    told = complaint(error)
+    assert (told["time_s"], told["positions_m"]) == (error.time_s, error.positions_m)
+    # A step is counted from its start or its end; its time decides.
+    with pytest.raises(ContactError) as caught, failures.stepping(mesh, placements, travel):
+        raise _core.NativeError("slack_set", "", {"step": 12, "time": 13 * 0.02})
+    assert caught.value.positions_m["front"] == 113.0
+    with pytest.raises(ContactError) as caught, failures.stepping(mesh, placements, travel):
+        raise _core.NativeError("off_wire", "", {"pantograph": 1, "step": 101, "position": 165.0})
+    assert str(caught.value).startswith("step 101: pantograph rear left the wire: got 165.00 m")
+    assert caught.value.positions_m["rear"] == 165.0
 
 
 def test_statics_of_a_run_fail_in_the_same_words(short: Short) -> None:

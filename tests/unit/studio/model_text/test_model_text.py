@@ -7,6 +7,8 @@ import pytest
 
 import arcless
 from arcless.errors import ArclessError, ModelError
+from arcless.model import Scenario
+from arcless.model.load import load_text
 from arcless.studio.model_text.about import about
 from arcless.studio.model_text.check import check
 from arcless.studio.model_text.form import form
@@ -131,3 +133,44 @@ def test_a_model_begins_as_a_copy_of_a_shipped_one_and_of_nothing_else(tmp_path:
         with pytest.raises(ArclessError):
             begun(project, name, source, False)
     assert sorted(path.name for path in tmp_path.iterdir()) == ["folder", "outside.yaml"]
+
+
+def test_the_form_of_a_variant_has_what_it_sets_and_what_its_base_has() -> None:
+    text = (
+        "format: arcless-scenario/1\nname: v\nbase: en50318-ac-simple-275-planar\nset:\n"
+        "  line.contact_wire.tension: 24 kN\n  pantographs.0.mean_force: {value: 150 N, mark: D}\n"
+    )
+    file = Path("v.yaml").absolute()
+    scenario = load_text(text, file, file.parent)
+    assert isinstance(scenario, Scenario)
+    groups = form(text, "v.yaml", scenario)["groups"]
+    found = {one["field"]: one for group in groups for one in group["fields"]}
+    speed = found["set.speed"]
+    assert (speed["typed"], speed["inherited"]) == (None, "275 km/h")
+    assert speed["value"] == pytest.approx(275 / 3.6)
+    tension = found["set.line.contact_wire.tension"]
+    assert (tension["typed"], tension["value"], tension["line"]) == ("24 kN", 24e3, 5)
+    assert tension["label"] == "Line contact wire: tension"
+    force = found["set.pantographs.0.mean_force"]
+    assert (force["typed"], force["inherited"], force["unit"]) == ("150 N", None, "N")
+    assert found["set.pantographs.0.model"]["inherited"] == "ac-simple"
+    # One excludes the other.
+    assert "set.pantographs.0.static_force" not in found
+    other = text.replace("mean_force: {value: 150 N, mark: D}", "static_force: 130 N")
+    scenario_of_other = load_text(other, file, file.parent)
+    assert isinstance(scenario_of_other, Scenario)
+    names = [
+        one["field"]
+        for group in form(other, "v.yaml", scenario_of_other)["groups"]
+        for one in group["fields"]
+    ]
+    assert "set.pantographs.0.static_force" in names
+    assert "set.pantographs.0.mean_force" not in names
+    # Each number that is offered can be typed over: the text is a variant that can be run.
+    for field, one in found.items():
+        if isinstance(one["value"], float):
+            new = patched(text, {field: one["typed"] or one["inherited"]}, "v.yaml")
+            load_text(new, file, file.parent)
+    # What it sets is told, too, where the base cannot be read.
+    alone = form(text, "v.yaml", None)["groups"]
+    assert [group["title"] for group in alone] == ["Run", "Set by this variant"]

@@ -148,12 +148,13 @@ def test_motion_is_computed_for_the_page(port: int) -> None:
 
 
 def test_a_run_that_begins_again_is_announced_again(port: int, sources: Sources) -> None:
-    first = sources["run", "again"] = SyntheticMotion(final=False)
+    first = sources["run", "again"] = SyntheticMotion(final=False, search=1)
     with page(port) as one:
-        assert one.play({"run": "again"})["again"] is False
-        first.later = SyntheticMotion(end_s=7.0)
+        about = one.play({"run": "again"})
+        assert (about["again"], about["search"]) == (False, 1)
+        first.later = SyntheticMotion(end_s=7.0, search=2)
         about = one.hear("channels")
-        assert (about["again"], about["end_s"]) == (True, 7.0)
+        assert (about["again"], about["end_s"], about["search"]) == (True, 7.0, 2)
         assert one.want({"run": "again"}, 6.0, 7.0, 0.5)["frames"] == 3
 
 
@@ -176,6 +177,13 @@ def test_all_pages_hear_what_is_told(port: int, hub: Hub) -> None:
         other.play(WAVE)  # both listen now
         hub.tell({"topic": "project"})
         assert one.hear("project") == other.hear("project") == {"topic": "project"}
+
+
+def test_a_page_to_which_nobody_has_anything_to_say_hears_that_the_server_is_there(
+    port: int,
+) -> None:
+    with page(port) as one:
+        assert one.hear("beat") == one.hear("beat") == {"topic": "beat"}
 
 
 def test_a_page_that_reads_nothing_fills_no_memory(port: int, monkeypatch: Any, hub: Hub) -> None:

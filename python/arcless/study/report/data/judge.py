@@ -21,15 +21,15 @@ from arcless.study.definition.quantities import (
 )
 from arcless.study.report.data.judged import CODES, Codes, Judged, Verdicts, code_of
 from arcless.study.report.data.limits import MEAN, CriterionRules, Limits, judges, known_of, rule_of
-from arcless.study.report.data.record import Column, Floats, Record
+from arcless.study.report.data.record import Column, Floats, RowColumns
 from arcless.study.report.data.scenes import TARGET_MET_N, Scene, Scenes
 
 _WAVE = "wave_speed_use"
 _RULES: Mapping[str, Rule] = {rule.name: rule for rule in reversed(RULES)}
 
 
-def judge(record: Record) -> Verdicts:
-    """Return what the rows of a study tell about the criteria."""
+def judge(record: RowColumns) -> Verdicts:
+    """Return what rows of a study tell about the criteria, each row by itself."""
     scenes, speeds = Scenes(record.study), _column_of(record, "speed_m_s")
     found = [
         scenes.of(row, None if speeds is None else float(speeds.values[place]))
@@ -46,7 +46,7 @@ def judge(record: Record) -> Verdicts:
     )
 
 
-def _outputs(record: Record, scenes: Sequence[Scene | None]) -> Iterable[Judged]:
+def _outputs(record: RowColumns, scenes: Sequence[Scene | None]) -> Iterable[Judged]:
     for output in record.outputs:
         expression = record.study.expressions[output.name]
         text = "".join(expression.text.split())
@@ -75,7 +75,7 @@ def _split(text: str) -> tuple[str, str]:
 
 
 def _limited(
-    record: Record, output: Column, name: str, text: str, scenes: Sequence[Scene | None]
+    record: RowColumns, output: Column, name: str, text: str, scenes: Sequence[Scene | None]
 ) -> list[Judged]:
     """Return an output against the limits of one criterion; nothing where it has no limit."""
     count, share = len(record.study.base.pantographs), "/" in text
@@ -105,7 +105,9 @@ def _limited(
     ]  # fmt: skip
 
 
-def _margin(record: Record, output: Column, name: str, scenes: Sequence[Scene | None]) -> Judged:
+def _margin(
+    record: RowColumns, output: Column, name: str, scenes: Sequence[Scene | None]
+) -> Judged:
     """Return a criterion whose margin is an output: it has the tolerance of the limit in it."""
     rules = CriterionRules.of(record, name, scenes)
     relation = rules.first.relation.replace("<", ">")
@@ -117,7 +119,7 @@ def _margin(record: Record, output: Column, name: str, scenes: Sequence[Scene | 
                   rules.source, "the margin is an output", rules.owners)  # fmt: skip
 
 
-def _told(record: Record, output: Column, name: str, scenes: Sequence[Scene | None]) -> Judged:
+def _told(record: RowColumns, output: Column, name: str, scenes: Sequence[Scene | None]) -> Judged:
     """Return a criterion whose verdict is an output."""
     rules, codes = CriterionRules.of(record, name, scenes), _codes_of(output, record)
     return Judged(name, rules.first.title, output, "", output.values, np.full(len(codes), np.nan),
@@ -125,7 +127,7 @@ def _told(record: Record, output: Column, name: str, scenes: Sequence[Scene | No
                   "the verdict is an output", rules.owners)  # fmt: skip
 
 
-def _codes_of(output: Column, record: Record) -> Codes:
+def _codes_of(output: Column, record: RowColumns) -> Codes:
     """Return the verdicts that an output of 1, 0 or nothing stands for."""
     codes = np.full(len(output.values), CODES[NOT_JUDGED], dtype=np.int8)
     codes[output.values == 1.0] = CODES[MET]
@@ -157,7 +159,7 @@ def _wave_speed(scenes: Sequence[Scene | None]) -> list[Judged]:
 
 
 def _asked_forces(
-    record: Record, scenes: Sequence[Scene | None], items: Sequence[Judged]
+    record: RowColumns, scenes: Sequence[Scene | None], items: Sequence[Judged]
 ) -> list[Judged]:
     """Return the mean forces that scenarios ask for, which runs meet, where no output has them."""
     found = []
@@ -179,7 +181,7 @@ def _target(scene: Scene | None, place: int) -> float:
 
 
 def _asked_force(
-    record: Record,
+    record: RowColumns,
     name: str,
     values: Floats,
     places: tuple[int, ...],
@@ -219,7 +221,7 @@ def _overall(items: Sequence[Judged], count: int) -> Codes:
 
 
 def _unknown(
-    items: Sequence[Judged], scenes: Sequence[Scene | None], record: Record
+    items: Sequence[Judged], scenes: Sequence[Scene | None], record: RowColumns
 ) -> tuple[str, ...]:
     """Return the criteria that decide, and that no output tells, in words."""
     names = [placed.name for placed in record.study.base.pantographs]
@@ -243,7 +245,7 @@ def _unknown(
     )
 
 
-def _column_of(record: Record, key: str) -> Column | None:
+def _column_of(record: RowColumns, key: str) -> Column | None:
     for output in record.outputs:
         if record.study.expressions[output.name].text.strip() == key:
             return output

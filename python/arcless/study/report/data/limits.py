@@ -11,7 +11,7 @@ from arcless.assess import NOT_MET, NOT_MET_UNVERIFIED, decides
 from arcless.assess.rules import ANY_SUPPLY, ASSUMED, RULES, Facts, Rule, mark_of
 from arcless.study.definition.quantities import owner_of_key
 from arcless.study.report.data.judged import CODES, Codes
-from arcless.study.report.data.record import Column, Record
+from arcless.study.report.data.record import Column, RowColumns
 from arcless.study.report.data.scenes import TARGET_MET_N, Scene
 
 MEAN = "mean_force_N"
@@ -38,7 +38,7 @@ def judges(rule: Rule, quantity: str) -> bool:
     return rule.quantity == quantity or (rule.name == "uplift_space" and quantity == _UPLIFT)
 
 
-def known_of(record: Record, place: int, mean_force: float | None = None) -> Any:
+def known_of(record: RowColumns, place: int, mean_force: float | None = None) -> Any:
     """Return a pantograph of a study as the rules take it."""
     return _Known(record.study.base.pantographs[place].name, mean_force)
 
@@ -66,7 +66,7 @@ class CriterionRules:
     owners: tuple[int, ...]
 
     @classmethod
-    def of(cls, record: Record, name: str, scenes: Sequence[Scene | None]) -> "CriterionRules":
+    def of(cls, record: RowColumns, name: str, scenes: Sequence[Scene | None]) -> "CriterionRules":
         """Return the rules of a criterion, by supply and speed of each variant."""
         owners = tuple(range(len(record.study.base.pantographs)))
         rules = [None if scene is None else rule_of(name, scene.facts) for scene in scenes]
@@ -106,7 +106,7 @@ class Limits:
         True where the output is the quantity over what its limit is a part of.
     """
 
-    def __init__(self, record: Record, owners: tuple[int, ...], *, share: bool) -> None:
+    def __init__(self, record: RowColumns, owners: tuple[int, ...], *, share: bool) -> None:
         self._record, self._owners, self._share = record, owners, share
         self._means = {
             place: column
@@ -154,7 +154,7 @@ class Limits:
         return target, TARGET_MET_N
 
 
-def _mean_of(record: Record, column: Column) -> int | None:
+def _mean_of(record: RowColumns, column: Column) -> int | None:
     """Return the pantograph whose mean force an output is."""
     text = record.study.expressions[column.name].text.strip()
     if text.rpartition(".")[2] != MEAN:

@@ -72,37 +72,19 @@ class Column:
         return bool(known.size and known.min() < known.max())
 
 
-class Record:
-    """A study and the rows that it has.
+class RowColumns:
+    """Rows that are done, as columns.
 
     Parameters
     ----------
     study
-        From `arcless.study.load`.
-    folder
-        Its folder; ``runs/studies/NAME`` without.
-
-    Raises
-    ------
-    StudyError
-        No study was begun there, or another one; a package is missing.
+        The study.
+    done
+        Rows of it with the status `done`.
     """
 
-    def __init__(self, study: Study, folder: Path | None = None) -> None:
-        table.check_available()
-        self.study = study
-        self.place = StudyFolder(study, folder)
-        self.state: dict[str, Any] = self.place.check_same()
-        self.place.recall()
-        tally = RowCounter()
-        self.rows: list[Row] = list(tally.of(self.place.rows()))
-        self.status: StudyStatus = tally.status(study, self.place)
-        self.done: list[Row] = [row for row in self.rows if row.status == "done"]
-
-    @cached_property
-    def findings(self) -> Findings:
-        """Findings of all rows together."""
-        return of(self.study, self.rows)
+    def __init__(self, study: Study, done: list[Row]) -> None:
+        self.study, self.done = study, done
 
     @cached_property
     def variants(self) -> NDArray[np.int64]:
@@ -139,9 +121,7 @@ class Record:
         for name, output in self.study.outputs.items():
             values = [row.outputs.get(name) for row in self.done]
             unit = table.unit_of_output(self.study, name)
-            key = output.expression.strip()
-            quantity = key.rpartition(".")[2]
-            known = label_of(quantity) if quantity in QUANTITIES else ""
+            key, known = output.expression.strip(), quantity_of(output.expression)
             about = output.description or known or output.expression
             found.append(
                 Column(
@@ -150,6 +130,50 @@ class Record:
                 )
             )  # fmt: skip
         return found
+
+
+class Record(RowColumns):
+    """A study and the rows that it has.
+
+    Parameters
+    ----------
+    study
+        From `arcless.study.load`.
+    folder
+        Its folder; ``runs/studies/NAME`` without.
+
+    Raises
+    ------
+    StudyError
+        No study was begun there, or another one; a package is missing.
+    """
+
+    def __init__(self, study: Study, folder: Path | None = None) -> None:
+        table.check_available()
+        self.place = StudyFolder(study, folder)
+        self.state: dict[str, Any] = self.place.check_same()
+        self.place.recall()
+        tally = RowCounter()
+        self.rows: list[Row] = list(tally.of(self.place.rows()))
+        self.status: StudyStatus = tally.status(study, self.place)
+        super().__init__(study, [row for row in self.rows if row.status == "done"])
+
+    @cached_property
+    def findings(self) -> Findings:
+        """Findings of all rows together."""
+        return of(self.study, self.rows)
+
+
+def quantity_of(expression: str) -> str:
+    """Return the name of the assessed quantity that an output is; empty where it is none."""
+    quantity = expression.strip().rpartition(".")[2]
+    return label_of(quantity) if quantity in QUANTITIES else ""
+
+
+def decimals_of(expression: str) -> int | None:
+    """Return the decimals of the assessed quantity that an output is; None where it has none."""
+    known = QUANTITIES.get(expression.strip().rpartition(".")[2])
+    return None if known is None or known.decimals < 0 else known.decimals
 
 
 def pantograph_of(study: Study, output: str) -> str:

@@ -102,6 +102,7 @@ def marks(record: Record) -> SpeedMarks | None:
     if column is None:
         return None
     from arcless.simulate import ResonanceSpeeds, resonance_speeds
+    from arcless.simulate.resonance.speeds import TOO_FAST
 
     try:
         found = resonance_speeds(record.study.base)
@@ -109,7 +110,9 @@ def marks(record: Record) -> SpeedMarks | None:
         found = ResonanceSpeeds((), (f"no resonance speeds: {error}",))
     spaced = any(axis.field.endswith(".distance") for axis in record.study.axes)
     numbered = _numbered(column, found, spaced=spaced)
-    return SpeedMarks(column, numbered, (*found.notes, *_varied(record.study)))
+    # Of what is far above the speeds of the study nobody asks.
+    notes = [note for note in found.notes if note != TOO_FAST]
+    return SpeedMarks(column, numbered, (*notes, *_varied(record.study)))
 
 
 def speed_column(record: Record) -> Column | None:

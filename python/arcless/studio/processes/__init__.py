@@ -1,0 +1,1 @@
+"""Worker processes: started, told what to compute, heard, cancelled and ended."""
