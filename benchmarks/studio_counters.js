@@ -127,7 +127,7 @@
         const question = { ...body, want: ["droppers", "supports", "elasticity"], draft: false, changes: { [field]: value } };
         const sent = { method: "POST", body: JSON.stringify({ ...question, question: ++number }), headers: { "Content-Type": "application/json" } };
         const answer = await (await fetched("api/statics", sent)).json();
-        if (answer.errors.length) throw new Error(answer.errors[0].text);
+        if (!answer.errors || answer.errors.length) throw new Error(JSON.stringify(answer.error ?? answer.errors));
         answers += answer.dropped ? 0 : 1;
       }
     };
