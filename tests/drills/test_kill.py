@@ -73,7 +73,7 @@ def test_at_random_moments(stop: Stop, place: Place) -> None:
 
 @pytest.mark.evidence
 def test_at_many_random_moments(stop: Stop, place: Place) -> None:
-    assert kill_at_random(stop, place, 60, RUN, longest_s=1.0) > 20
+    assert kill_at_random(stop, place, 60, RUN, longest_s=0.6) > 20
 
 
 def test_the_next_run_works_and_removes_what_was_left(stop: Stop, place: Place) -> None:

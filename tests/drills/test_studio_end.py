@@ -56,7 +56,7 @@ def all_at_work(server: Server, stack: ExitStack) -> None:
     statics = {"path": "short.yaml", "want": ["line"], "question": 1}
     assert server.ask("POST", "/api/statics", statics).status == 200
     job = begin(server, SLOW)
-    wait_for(server, job["id"], lambda one: one["doing"] == "stepping")
+    wait_for(server, job["id"], lambda one: one["doing"].startswith("stepping"))
     stream, hands_on = opened("stream"), opened("hands_on")
     source = {"job": job["id"]}
     stream.send(json.dumps({"topic": "play", "source": source}))
