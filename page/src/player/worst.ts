@@ -14,7 +14,7 @@ export function followWorst(): void {
     const of = source.value;
     worst.value = [];
     if (!of || !("run" in of)) return;
-    // A run that stopped early has no explanation: J and K then have nowhere to go.
+    // A run that is too short has no explanation: J and K then have nowhere to go.
     void ask<Explained>("explain", { query: { run: of.run } })
       .then(({ pantographs }) => {
         if (source.peek() !== of) return;

@@ -7,6 +7,7 @@ import { file, source, ticked } from "../state/selection.ts";
 import { show } from "../shell/panels.ts";
 import { copy } from "./copy.ts";
 import { LibraryList } from "./LibraryList.tsx";
+import { openMeasured } from "../results/measured.ts";
 import { Runs } from "./Runs.tsx";
 import { runThis } from "./running.ts";
 import { KINDS } from "./words.ts";
@@ -78,17 +79,18 @@ function Measured({ view }: { view: ProjectView }) {
       <ul>
         {view.measured.map(({ path }) => (
           <li key={path} class="entry">
-            <label class="tick">
-              <input
-                type="checkbox"
-                checked={ticked.value.includes(path)}
-                onChange={(event) => {
-                  const others = ticked.value.filter((one) => one !== path);
-                  ticked.value = event.currentTarget.checked ? [...others, path] : others;
-                }}
-              />
+            <input
+              type="checkbox"
+              aria-label={`Compare ${path}`}
+              checked={ticked.value.includes(path)}
+              onChange={(event) => {
+                const others = ticked.value.filter((one) => one !== path);
+                ticked.value = event.currentTarget.checked ? [...others, path] : others;
+              }}
+            />
+            <button class="name" title={`${path}: speed, supply and mass above the sensors`} onClick={() => openMeasured(path)}>
               {path.replace(/^.*\//, "")}
-            </label>
+            </button>
           </li>
         ))}
       </ul>

@@ -11,6 +11,7 @@ from arcless.comparison.content import comparison_content
 from arcless.figures.comparison import MOST_RUNS
 from arcless.figures.description import Figure
 from arcless.figures.description.tokens import of_series
+from arcless.measurements import is_measured
 from arcless.studio.answers.answers import Refused
 from arcless.studio.answers.page_words import in_page_words
 from arcless.studio.charts.measured_as import MeasuredAs, measured_as
@@ -46,7 +47,7 @@ class ChartedComparison(Charted):
     ) -> None:
         super().__init__()
         given = measured or (None,) * len(files)
-        read = [file if how is None else how.read(file)
+        read = [how.read(file) if how is not None and is_measured(file) else file
                 for file, how in zip(files, given, strict=True)]  # fmt: skip
         self.comparison: Comparison = compare(read, names=names)
 

@@ -11,6 +11,7 @@ from starlette.routing import BaseRoute
 
 from arcless.assess.rules import ANY_SUPPLY
 from arcless.errors import ArclessError, ExplanationError
+from arcless.measurements import is_measured
 from arcless.storage import hidden_files
 from arcless.studio.answers.answers import Refused, complaint, json_body, route
 from arcless.studio.charts import asked, assessed, series, space_time
@@ -112,6 +113,8 @@ def _of_comparisons(project: Project, kept: Kept[ChartedComparison]) -> list[Bas
     def alone(question: dict[str, Any]) -> Any:
         path, how = question.get("path"), measured_as(question.get("as", {}))
         file = project.inside(path if isinstance(path, str) else "")
+        if not (is_measured(file) and file.is_file()):
+            raise Refused(404, f"There is no measurement {path}")
         try:
             return assessed_alone(file, how)
         except ArclessError as error:  # the page has a form for what is missing
