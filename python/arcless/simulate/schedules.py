@@ -116,7 +116,7 @@ def dropper_schedule(
         columns.append(_column("cut length", "m", cut))
     columns += _columns(droppers, {"force_N": ("force at rest", "N")})
     # The support before a span has the number of the span: both are counted along the track.
-    supports = sorted(support["x_m"] for support in line.supports)
+    supports = line.equilibrium.support_places()
     along = [dropper["x_m"] - supports[dropper["span"] - 1] for dropper in droppers]
     return [*columns, _column("distance from support", "m", along)]
 
