@@ -1,4 +1,4 @@
-"""What became better and what became worse against the first run, in words."""
+"""Changes for the better and for the worse against the first run, in words."""
 
 from typing import TYPE_CHECKING
 
@@ -35,7 +35,10 @@ def change_words(compared: "Compared") -> list[str]:
 
 def _words(compared: "Compared", run: int) -> str:
     several = len(compared.pantographs) > 1
-    better, worse, same, unknown = [], [], [], []
+    better: list[str] = []
+    worse: list[str] = []
+    same: list[str] = []
+    unknown: list[str] = []
     for key, what in LOWER_IS_BETTER.items():
         for one in (each for each in compared.indicators if each.key == key):
             whose = f"{what} of {one.pantograph}" if several and one.pantograph else what

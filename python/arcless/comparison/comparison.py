@@ -135,8 +135,8 @@ def compare(
     Raises
     ------
     ComparisonError
-        There are fewer than two, names are too many, too few or twice the same, one is there twice, one is not a finished run, or a measurement
-        cannot be aligned.
+        There are fewer than two, names are too many, too few or twice the same, one is there
+        twice, one is not a finished run, or a measurement cannot be aligned.
     MeasurementError
         A CSV file is no measurement, or too little of it is left in the section.
     ResultFormatError

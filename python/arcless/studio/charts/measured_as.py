@@ -1,4 +1,4 @@
-"""What a measured file does not say, as the page gives it: speed, supply, mass above the sensors."""
+"""Facts that a measured file lacks, as the page gives them: speed, supply, head mass and lift."""
 
 from dataclasses import dataclass, fields
 from pathlib import Path
