@@ -193,7 +193,8 @@ export function RunBar() {
         <Scenario />
         <Speed />
         <Pantographs />
-        <button class="run" disabled={!canRun.value} title="Ctrl+Enter" onClick={() => void run()}>
+        {/* Not `disabled`, which would take the focus away from who pressed it. */}
+        <button class="run" aria-disabled={!canRun.value} title="Ctrl+Enter" onClick={() => canRun.peek() && void run()}>
           <span aria-hidden="true">▶</span> {isVariant ? "Run as variant" : "Run"}
         </button>
         <Options />

@@ -31,7 +31,10 @@ export async function run(): Promise<void> {
   const path = scenario.peek();
   if (path === null || runningJob.peek() || isOrdered) return;
   isOrdered = true;
+  const field = document.activeElement;
   await settled();
+  // Who ran it from a field goes on there.
+  if (field instanceof HTMLInputElement && field.isConnected) field.focus();
   await order({
     scenario: path,
     changes: changes.peek(),

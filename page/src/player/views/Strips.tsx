@@ -17,6 +17,8 @@ import { columnEnds, stored, type Ends } from "./columns.ts";
 
 /** Room of the title above the scale and the lines, px. */
 const TOP = 19;
+/** Below the scale half a number has room, px. */
+const BOTTOM = 8;
 const HEIGHT_APART = 26; // px
 const ZOOM = 1.2;
 /** The scale of a strip ends at a multiple of this, so that it does not jump with each value. */
@@ -35,7 +37,7 @@ interface Axis extends Sheet {
 function axis(sheet: Sheet, high: number): Axis {
   const [x0, x1] = sight.value;
   const scale = Math.max(1, sheet.width - LEFT - RIGHT) / (x1 - x0);
-  const room = sheet.height - TOP - 4;
+  const room = sheet.height - TOP - BOTTOM;
   return { ...sheet, x0, x1, x: (metres) => LEFT + (metres - x0) * scale, y: (value) => TOP + room * (1 - value / high) };
 }
 
