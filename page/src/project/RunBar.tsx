@@ -175,7 +175,7 @@ function Tools() {
         </button>
       )}
       <button onClick={() => (dialog.value = "commands")} title="All commands (Ctrl+K)">Commands</button>
-      <button class="fold" aria-pressed={!folded.value.left} title="Project (Ctrl+B)" onClick={() => fold("left")}>
+      <button class="fold" aria-pressed={!folded.value.left} title="Project (Ctrl+B goes there)" onClick={() => fold("left")}>
         <span aria-hidden="true">◧</span><span class="unseen">Project</span>
       </button>
       <button class="fold" aria-pressed={!folded.value.right} title="Inspector (Ctrl+I)" onClick={() => fold("right")}>

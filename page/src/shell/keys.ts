@@ -18,6 +18,9 @@ export function nameOf(event: Pick<KeyboardEvent, "key" | "ctrlKey" | "metaKey" 
 /** The button that has the focus because it was pressed with the pointer: nobody means it by Space. */
 let pointed: Element | null = null;
 
+/** Whether a button has the focus because it was pressed with the pointer. */
+export const isPointed = (at: Element): boolean => at === pointed;
+
 const BUTTONS = "button, a, summary, [role=tab]";
 
 /** What a key does where the focus is: in a field it types, on a button Space and Enter press it. */

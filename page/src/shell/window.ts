@@ -5,6 +5,7 @@ import { jobs } from "../state/jobs.ts";
 import { project } from "../state/project.ts";
 import { followKeys } from "./keys.ts";
 import { fold, remember } from "./layout.ts";
+import { toOrFromProject } from "./places.ts";
 import { addCommand } from "./panels.ts";
 import { followScheme, nextScheme, scheme } from "./scheme.ts";
 
@@ -31,7 +32,8 @@ export function register(): void {
     },
     act: nextScheme,
   });
-  addCommand({ id: "fold left", title: "Show or hide the project", keys: ["Ctrl+B"], act: () => fold("left") });
+  addCommand({ id: "fold left", title: "Show or hide the project", act: () => fold("left") });
+  addCommand({ id: "project", title: "Go to the project; from there, hide it", keys: ["Ctrl+B"], act: toOrFromProject });
   addCommand({ id: "fold right", title: "Show or hide the inspector", keys: ["Ctrl+I"], act: () => fold("right") });
   addCommand({ id: "fold below", title: "Show or hide the strips", act: () => fold("below") });
   addCommand({ id: "messages", title: "Messages", act: () => (listed.value = !listed.peek()) });

@@ -15,6 +15,8 @@ const LABELS = 12;
 /** Labels nearer than so many px to one another would cover one another: the nearer support has it. */
 const WIDE = 130;
 const HIGH = 18;
+/** A mast that is lower than this on the screen has no label, px. */
+const ROOM = 4 * HIGH;
 /** Between a mast and its label, px. */
 const GAP = 4;
 
@@ -41,8 +43,9 @@ function label(stage: Stage, names: HTMLElement, width: number, height: number):
   near.forEach((support, at) => {
     const name = (names.children[at] ?? names.appendChild(document.createElement("span"))) as HTMLElement;
     const [x, y, z] = support.arms[0]?.to ?? [support.x_m, 0, 6];
-    // Half way up the mast, where no wire is.
-    const place = stage.project(x, z / 2, -y, width, height);
+    // Low at the mast, where no wire is; a far mast has no room for it.
+    const [foot, top] = [0, z].map((up) => stage.project(x, up, -y, width, height));
+    const place = foot && top && foot[1] - top[1] > ROOM ? stage.project(x, z / 3, -y, width, height) : null;
     name.hidden = false; // what is hidden has no width
     name.textContent = `${support.name} · ${support.x_m.toFixed(0)} m`;
     const left = place && beside(place[0], name.offsetWidth, width);
