@@ -134,6 +134,7 @@ outputs: [mean_force_N]
 """
     )
     page = studio(folder).open(PHONE)
+    page.part("Project")
     page.click('nav >> text="short" >> nth=0')
     page.click('role=tab[name="Studies"]')
     page.click('.studies >> role=button[name="Watch"]')
@@ -239,6 +240,7 @@ def test_a_study_with_rows_is_accessible(studio: Start, folder: Path) -> None:
     server = studio(folder)
     for size, dark in itertools.product((DESK, PHONE), (False, True)):
         page = server.open(size, dark=dark)
+        page.part("Project")
         page.click('nav >> text="short" >> nth=0')
         page.click('role=tab[name="Studies"]')
         page.click('.studies >> role=button[name="Watch"]')

@@ -1,4 +1,5 @@
 /** The line: side view and plan, one below the other, and what is drawn. */
+import { part } from "../shell/panels.ts";
 import { exaggeration, selected } from "../state/selection.ts";
 import { EXAGGERATIONS } from "./camera.ts";
 import "./drawing.css";
@@ -79,7 +80,7 @@ function Twins({ geometry }: { geometry: Geometry }) {
 /** What is wrong with the text, and the way to its place. */
 function Wrong() {
   const { text, field } = wrong.value!;
-  const go = field ? () => (selected.value = { kind: "field", field: field.join(".") }) : null;
+  const go = field ? () => ((selected.value = { kind: "field", field: field.join(".") }), (part.value = "right")) : null;
   return (
     <p class="wrong" role="status">
       {edited.value ? "Drawn is the last valid line. " : ""}

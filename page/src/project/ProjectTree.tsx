@@ -4,11 +4,12 @@ import { showStudy } from "../studies/vary.ts";
 import { project, type ModelEntry, type ProjectView } from "../state/project.ts";
 import { showing } from "../drawing/scene.ts";
 import { file, source, ticked } from "../state/selection.ts";
-import { show } from "../shell/panels.ts";
+import { part, show } from "../shell/panels.ts";
 import { copy } from "./copy.ts";
 import { LibraryList } from "./LibraryList.tsx";
 import { Runs } from "./Runs.tsx";
 import { runThis } from "./running.ts";
+import { treeKey } from "./treeKeys.ts";
 import { KINDS } from "./words.ts";
 
 export function Section({ title, count, open = true, children }: { title: string; count: number; open?: boolean; children: ComponentChildren }) {
@@ -25,6 +26,7 @@ export function Section({ title, count, open = true, children }: { title: string
 
 function open(entry: ModelEntry): void {
   file.value = entry.path;
+  part.value = "main";
   if (entry.kind === "study") show("studies");
 }
 
@@ -125,6 +127,7 @@ function Library({ view }: { view: ProjectView }) {
 /** Play a run; the one that is played goes on where it is, and is seen again. */
 function play(path: string): void {
   const played = source.peek();
+  part.value = "main";
   if (played && "run" in played && played.run === path) showing.value = "played";
   else source.value = { run: path };
 }
@@ -133,7 +136,7 @@ export function ProjectTree() {
   const view = project.value;
   if (!view) return <p class="soft tree-head">Reading the folder</p>;
   return (
-    <div class="tree">
+    <div class="tree" onKeyDown={treeKey}>
       <h2 class="tree-head" title={view.folder}>{view.name}</h2>
       <Models view={view} />
       <Runs view={view} play={play} />

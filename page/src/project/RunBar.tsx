@@ -175,7 +175,7 @@ function Tools() {
         </button>
       )}
       <button onClick={() => (dialog.value = "commands")} title="All commands (Ctrl+K)">Commands</button>
-      <button class="fold" aria-pressed={!folded.value.left} title="Project (Ctrl+B)" onClick={() => fold("left")}>
+      <button class="fold" aria-pressed={!folded.value.left} title="Project (Ctrl+B goes there)" onClick={() => fold("left")}>
         <span aria-hidden="true">◧</span><span class="unseen">Project</span>
       </button>
       <button class="fold" aria-pressed={!folded.value.right} title="Inspector (Ctrl+I)" onClick={() => fold("right")}>
@@ -193,7 +193,8 @@ export function RunBar() {
         <Scenario />
         <Speed />
         <Pantographs />
-        <button class="run" disabled={!canRun.value} title="Ctrl+Enter" onClick={() => void run()}>
+        {/* Not `disabled`, which would take the focus away from who pressed it. */}
+        <button class="run" aria-disabled={!canRun.value} title="Ctrl+Enter" onClick={() => canRun.peek() && void run()}>
           <span aria-hidden="true">▶</span> {isVariant ? "Run as variant" : "Run"}
         </button>
         <Options />

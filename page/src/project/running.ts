@@ -1,6 +1,7 @@
 /** A run of the chosen scenario: started, followed to its end, kept as a scenario of its own. */
 import { computed, effect, signal, untracked } from "@preact/signals";
 import { ask } from "../connection/http.ts";
+import { isSmall } from "../shell/layout.ts";
 import { complain, say } from "../shell/messages.ts";
 import { changes } from "../state/changes.ts";
 import { keepFailure } from "../state/failure.ts";
@@ -31,7 +32,10 @@ export async function run(): Promise<void> {
   const path = scenario.peek();
   if (path === null || runningJob.peek() || isOrdered) return;
   isOrdered = true;
+  const field = document.activeElement;
   await settled();
+  // Who ran it from a field goes on there.
+  if (field instanceof HTMLInputElement && field.isConnected) field.focus();
   await order({
     scenario: path,
     changes: changes.peek(),
@@ -132,9 +136,6 @@ function watched(job: Job): void {
   if (job.state === "done" && job.path !== null) source.value = { run: job.path };
   if (job.state === "failed") keepFailure(job);
 }
-
-/** The window is that of a phone: the tree stands below all else. */
-const isSmall = () => matchMedia("(max-width: 700px)").matches;
 
 /** The newest run that can be read; null without one. */
 export const newestRun = (runs: readonly RunEntry[]): string | null =>
