@@ -7,6 +7,7 @@ import { keepFailure } from "../state/failure.ts";
 import { hasEnded, jobs, type Job } from "../state/jobs.ts";
 import { settled } from "../state/pending.ts";
 import { below, project, readProject, type ProjectView, type RunEntry } from "../state/project.ts";
+import { whyNot } from "./speed.ts";
 import { file, scenario, source, ticked } from "../state/selection.ts";
 
 export const withMotion = signal(true);
@@ -21,7 +22,11 @@ export const runningJob = computed<Job | null>(
   () => jobs.value.findLast((one) => one.kind === "run" && (one.state === "running" || one.state === "waiting")) ?? null,
 );
 
-export const canRun = computed(() => scenario.value !== null && runningJob.value === null);
+/** Why nothing can be run, in words; null where a run can begin. */
+export const obstacle = computed(() =>
+  scenario.value === null ? "Choose a scenario first." : runningJob.value !== null ? "A run is being computed." : whyNot());
+
+export const canRun = computed(() => obstacle.value === null);
 
 /** A run is ordered, and the server has not answered. */
 let isOrdered = false;
@@ -32,6 +37,11 @@ export async function run(): Promise<void> {
   if (path === null || runningJob.peek() || isOrdered) return;
   isOrdered = true;
   await settled();
+  // The speed may just have been typed.
+  if (whyNot() !== null) {
+    isOrdered = false;
+    return;
+  }
   await order({
     scenario: path,
     changes: changes.peek(),
