@@ -33,6 +33,11 @@ def test_given_travel_is_kept() -> None:
     assert SCENARIO.with_(**{"travel.start": 110}).travel_range() == (110, 19 * 55)
 
 
+# Spans from which a section that nobody chose is told of no more.
+FEW = 4
+TOLD = "{:g} to {:g} m is judged, {} whole spans of {}"
+
+
 @pytest.mark.parametrize(
     ("spans", "first", "last"),
     [(20, 6, 15), (10, 4, 7), (8, 3, 6), (6, 3, 4), (5, 3, 3)],
@@ -40,7 +45,15 @@ def test_given_travel_is_kept() -> None:
 def test_default_section_is_the_inner_half(spans: int, first: int, last: int) -> None:
     scenario = with_spans(spans)
     assert scenario.analysis_range() == ((first - 1) * 55, last * 55)
-    assert scenario_warnings(scenario) == []
+    few = last - first + 1 < FEW
+    assert [TOLD.format((first - 1) * 55, last * 55, last - first + 1, spans)] * few == [
+        said.partition(":")[2].partition(":")[0].strip() for said in scenario_warnings(scenario)
+    ]
+
+
+def test_a_section_of_few_spans_that_was_asked_for_is_not_told() -> None:
+    for chosen in ({"spans": [3, 4]}, {"from": 110, "to": 220}):
+        assert scenario_warnings(with_spans(6).with_(analysis=chosen)) == []
 
 
 def test_default_section_of_a_short_line_is_all_of_the_travel() -> None:
