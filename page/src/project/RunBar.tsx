@@ -50,7 +50,7 @@ function Speed() {
   if (of?.speed == null) return null;
   const { path, speed, speedField } = of;
   const now = String(changes.value["speed"] ?? speed);
-  const wrong = refused.value?.scenario === path ? refused.value : null;
+  const wrong = refused.value;
   return (
     <label>
       <span>Speed</span>
@@ -70,7 +70,6 @@ function Speed() {
           refused.value = null;
         }}
       />
-      {wrong && <span id="speed-problem" class="speed-problem" role="alert">{wrong.why}</span>}
     </label>
   );
 }
@@ -211,6 +210,12 @@ export function RunBar() {
         <Running />
         <Tools />
       </div>
+      {refused.value && (
+        <div class="speed-problem">
+          <span id="speed-problem" role="alert">{refused.value.why}</span>
+          <button onClick={() => (refused.value = null)}>Back to the speed before</button>
+        </div>
+      )}
       <Changed />
     </>
   );

@@ -5,7 +5,7 @@ import type { RunEntry } from "../state/project.ts";
 import { freeName } from "./copy.ts";
 import { differences, leadingWords, matches, verdictOf, withUnit } from "./words.ts";
 import { canRun, newestRun } from "./running.ts";
-import { aboutSpeed, inWords, typeSpeed, whyNot } from "./speed.ts";
+import { aboutSpeed, inWords, refused, typeSpeed } from "./speed.ts";
 import { scenario } from "../state/selection.ts";
 import { sorted } from "./scenarioFields.ts";
 
@@ -111,7 +111,8 @@ it("says of a speed what is wrong with it, and of no other field", () => {
   const speed = { text: "a.yaml:3: speed: not a number", what: "not a number", got: "`abc`", expected: "a speed such as 250 km/h", field: ["set", "speed"] };
   expect(aboutSpeed([{ text: "b", field: ["line"] }, speed])).toBe(speed);
   expect(aboutSpeed([{ text: "b", field: ["speed_profile", "speeds"] }, { text: "c" }])).toBeNull();
-  expect(inWords(speed)).toBe("Speed: not a number, got `abc`; expected a speed such as 250 km/h.");
+  expect(inWords(speed)).toBe("Speed: not a number, got `abc`, expected a speed such as 250 km/h.");
+  expect(inWords({ ...speed, what: "speed" })).toBe("Speed: got `abc`, expected a speed such as 250 km/h.");
   expect(inWords({ text: "No file." })).toBe("No file.");
 });
 
@@ -130,9 +131,9 @@ it("keeps the last good speed and its unit where junk is typed, and nothing can 
     return Promise.resolve(new Response(JSON.stringify(answer)));
   });
   await typeSpeed("abc", of);
-  expect([whyNot(), changes.value, canRun.value]).toEqual(["Speed: no number.", {}, false]);
+  expect([refused.value?.why, changes.value, canRun.value]).toEqual(["Speed: no number.", {}, false]);
   await typeSpeed("250", of);
-  expect([whyNot(), changes.value, canRun.value]).toEqual([null, { speed: "250 km/h" }, true]);
+  expect([refused.value?.why, changes.value, canRun.value]).toEqual([undefined, { speed: "250 km/h" }, true]);
   expect(patched).toEqual(["abc", "250 km/h"]);
   await typeSpeed("275", of);
   expect(changes.value).toEqual({});

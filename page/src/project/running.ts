@@ -7,7 +7,7 @@ import { keepFailure } from "../state/failure.ts";
 import { hasEnded, jobs, type Job } from "../state/jobs.ts";
 import { settled } from "../state/pending.ts";
 import { below, project, readProject, type ProjectView, type RunEntry } from "../state/project.ts";
-import { whyNot } from "./speed.ts";
+import { refused } from "./speed.ts";
 import { file, scenario, source, ticked } from "../state/selection.ts";
 
 export const withMotion = signal(true);
@@ -24,7 +24,7 @@ export const runningJob = computed<Job | null>(
 
 /** Why nothing can be run, in words; null where a run can begin. */
 export const obstacle = computed(() =>
-  scenario.value === null ? "Choose a scenario first." : runningJob.value !== null ? "A run is being computed." : whyNot());
+  scenario.value === null ? "Choose a scenario first." : runningJob.value !== null ? "A run is being computed." : (refused.value?.why ?? null));
 
 export const canRun = computed(() => obstacle.value === null);
 
@@ -38,7 +38,7 @@ export async function run(): Promise<void> {
   isOrdered = true;
   await settled();
   // The speed may just have been typed.
-  if (whyNot() !== null) {
+  if (refused.peek() !== null) {
     isOrdered = false;
     return;
   }

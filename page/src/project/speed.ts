@@ -1,5 +1,5 @@
 /** The speed that is typed in the run bar: the server checks the scenario with it before a run has it. */
-import { signal } from "@preact/signals";
+import { effect, signal } from "@preact/signals";
 import { ask, newest, RefusedError, type Complaint } from "../connection/http.ts";
 import { change, changes } from "../state/changes.ts";
 import { beforeRun } from "../state/pending.ts";
@@ -7,16 +7,22 @@ import { scenario } from "../state/selection.ts";
 import { withUnit } from "./words.ts";
 
 /** A speed that cannot be run, as typed, and why; the last good one stays with the run until it is mended. */
-export const refused = signal<{ scenario: string; typed: string; why: string } | null>(null);
+export const refused = signal<{ typed: string; why: string } | null>(null);
 
-/** Why a run of the chosen scenario has to wait for its speed; null where it need not. */
-export const whyNot = (): string | null => (refused.value?.scenario === scenario.value ? (refused.value?.why ?? null) : null);
+// Another scenario has another speed.
+effect(() => {
+  void scenario.value;
+  refused.value = null;
+});
 
 const FIELD = /(^|\.)speed$/;
 
 /** What is wrong in a few words, without the file. */
-export const inWords = ({ what, got, expected, text }: Complaint): string =>
-  what === undefined ? text : `Speed: ${what}${got === undefined ? "" : `, got ${got}`}${expected === undefined ? "" : `; expected ${expected}`}.`;
+export function inWords({ what, got, expected, text }: Complaint): string {
+  if (got === undefined && expected === undefined) return what === undefined ? text : `Speed: ${what}.`;
+  const parts = [what === undefined || FIELD.test(what) ? "" : what, got && `got ${got}`, expected && `expected ${expected}`];
+  return `Speed: ${parts.filter(Boolean).join(", ")}.`;
+}
 
 /** The complaint about the speed itself: what else is wrong with the scenario stands in its editor. */
 export const aboutSpeed = (errors: readonly Complaint[]): Complaint | null =>
@@ -49,7 +55,7 @@ async function take(value: string, { path, speed, speedField }: { path: string; 
     const answer = await question(path, speedField, value);
     if (!answer || scenario.peek() !== path) return;
     if (answer.wrong) {
-      refused.value = { scenario: path, typed: value, why: inWords(answer.wrong) };
+      refused.value = { typed: value, why: inWords(answer.wrong) };
       return;
     }
   }

@@ -29,8 +29,8 @@ from arcless.figures.run.run_data import RunData
 from arcless.figures.run.track import place_name
 from arcless.model import Scenario
 
-# Distance in m within which the end of a section is at a support. Larger, a span that is assessed in
-# part is not named; smaller, a rounding error names the next span.
+# Distance in m within which the end of a section is at a support. Larger, a span that is assessed
+# in part is not named; smaller, a rounding error names the next span.
 SAME_PLACE = 0.01
 # Part of a limit, in per cent, from which a distance to it is not said in per cent.
 MOST_PERCENT = 200.0

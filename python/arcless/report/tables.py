@@ -132,7 +132,7 @@ def criterion_row(c: Criterion) -> dict[str, Any]:
 
 
 def _margin(criterion: Criterion, decimals: int) -> str:
-    """Return the distance to the limit, negative beyond it, of the numbers beside it as printed."""
+    """Return the distance to the limit, negative beyond it, of value and limit as printed."""
     if criterion.value is None or criterion.limit is None:
         return number(None)
     if criterion.relation == "<=":

@@ -78,7 +78,8 @@ def _about_section(scenario: Scenario) -> list[str]:
         found.append("analysis: the line is too short for inner spans; all of the travel is taken")
     elif not _is_chosen(analysis) and (few := _whole_spans(supports, first, last)) < FEW_SPANS:
         found.append(
-            f"analysis: {first:g} to {last:g} m is judged, {few} whole spans of {len(supports) - 1}:"
+            f"analysis: {first:g} to {last:g} m is judged, {few} whole"
+            f" span{'s' * (few != 1)} of {len(supports) - 1}:"
             " the inner half, never the first or last two spans, cut to what every pantograph"
             " travels; give the line more spans, or the section as analysis.spans"
         )

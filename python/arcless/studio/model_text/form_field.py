@@ -14,7 +14,14 @@ def value_of(data: Any) -> Any:
 
 
 def told(
-    field: str, label: str, typed: Any, known: About, place: Place | None, *, inherited: Any = None, together: str | None = None,
+    field: str,
+    label: str,
+    typed: Any,
+    known: About,
+    place: Place | None,
+    *,
+    inherited: Any = None,
+    together: str | None = None,
 ) -> dict[str, Any]:
     """Return a field as the page shows it.
 
