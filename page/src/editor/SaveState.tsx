@@ -4,6 +4,7 @@ import { ask } from "../connection/http.ts";
 import { complain, say } from "../shell/messages.ts";
 import { readProject } from "../state/project.ts";
 import { file } from "../state/selection.ts";
+import { isWrong } from "./checking.ts";
 import { kind, opened, saving, writable } from "./documents.ts";
 import { redo, undo } from "./session.ts";
 
@@ -47,6 +48,7 @@ export function SaveState() {
           </button>
           <span role="status" class={saving.value === "not saved" || saving.value === "conflict" ? "open" : ""}>
             {WORDS[saving.value]}
+            {saving.value === "saved" && isWrong.value && <span class="error">, with an error</span>}
           </span>
         </>
       ) : name.value === null ? (

@@ -44,7 +44,7 @@ function Model({ entry, act }: { entry: ModelEntry; act?: [string, () => void] }
           {act[0] === "Run" ? "▶" : "⧉"}
         </button>
       )}
-      {entry.error && <p class="broken">{entry.error}</p>}
+      {entry.error && <p class="broken" title={entry.error}>{isOpen ? "An error, told below its fields" : entry.error}</p>}
     </li>
   );
 }

@@ -5,12 +5,12 @@ import { change, changes, written } from "../state/changes.ts";
 import { cancel } from "../state/jobs.ts";
 import { project } from "../state/project.ts";
 import { file, scenario, source } from "../state/selection.ts";
-import { complain, messages } from "../shell/messages.ts";
+import { complain, messages, worstOf } from "../shell/messages.ts";
 import { fold, folded } from "../shell/layout.ts";
 import { dialog, listed } from "../shell/window.ts";
-import { canRun, isWatched, nameOf, run, runningJob, saveAsScenario, withCertainty, withMotion } from "./running.ts";
+import { canRun, isWatched, nameOf, obstacle, run, runningJob, saveAsScenario, withCertainty, withMotion } from "./running.ts";
 import { fields } from "./scenarioFields.ts";
-import { withUnit } from "./words.ts";
+import { refused, typeSpeed } from "./speed.ts";
 import { Verdict } from "./Verdict.tsx";
 
 function Scenario() {
@@ -46,20 +46,29 @@ function Scenario() {
 }
 
 function Speed() {
-  const ofFile = fields.value?.speed;
-  if (ofFile == null) return null;
-  const now = String(changes.value["speed"] ?? ofFile);
+  const of = fields.value;
+  if (of?.speed == null) return null;
+  const { path, speed, speedField } = of;
+  const now = String(changes.value["speed"] ?? speed);
+  const wrong = refused.value;
   return (
     <label>
       <span>Speed</span>
       <input
-        class={`speed ${now === ofFile ? "" : "changed"}`}
-        key={fields.value?.path}
-        value={now}
-        title={`In the file: ${ofFile}`}
+        class={`speed ${now === speed ? "" : "changed"}`}
+        key={path}
+        value={wrong?.typed ?? now}
+        title={`In the file: ${speed}`}
         spellcheck={false}
         autocomplete="off"
-        onChange={(event) => change("speed", withUnit(event.currentTarget.value, now), ofFile)}
+        aria-invalid={wrong !== null}
+        aria-describedby={wrong ? "speed-problem" : undefined}
+        onChange={(event) => void typeSpeed(event.currentTarget.value, { path, speed, speedField })}
+        onKeyDown={(event) => {
+          if (event.key !== "Escape") return;
+          event.currentTarget.value = now;
+          refused.value = null;
+        }}
       />
     </label>
   );
@@ -108,11 +117,11 @@ function Options() {
       <div class="pop">
         <label>
           <input type="checkbox" checked={withMotion.value} onChange={(event) => (withMotion.value = event.currentTarget.checked)} />
-          Record the motion of the wires, to play the run again
+          <span>Record the motion of the wires, to play the run again</span>
         </label>
         <label>
           <input type="checkbox" checked={withCertainty.value} onChange={(event) => (withCertainty.value = event.currentTarget.checked)} />
-          Find how sure the numbers are, by further runs: ±
+          <span>Certainty: find the ± of the numbers by further runs</span>
         </label>
       </div>
     </details>
@@ -167,10 +176,11 @@ function Running() {
 
 function Tools() {
   const count = messages.value.length;
+  const level = worstOf(messages.value);
   return (
     <div class="tools">
       {(count > 0 || listed.value) && (
-        <button class={count ? "counted" : ""} aria-expanded={listed.value} onClick={() => (listed.value = !listed.value)}>
+        <button class={level ? `counted ${level}` : ""} aria-expanded={listed.value} onClick={() => (listed.value = !listed.value)}>
           Messages {count}
         </button>
       )}
@@ -194,13 +204,19 @@ export function RunBar() {
         <Speed />
         <Pantographs />
         {/* Not `disabled`, which would take the focus away from who pressed it. */}
-        <button class="run" aria-disabled={!canRun.value} title="Ctrl+Enter" onClick={() => canRun.peek() && void run()}>
+        <button class="run" aria-disabled={!canRun.value} title={obstacle.value ?? "Ctrl+Enter"} onClick={() => canRun.peek() && void run()}>
           <span aria-hidden="true">▶</span> {isVariant ? "Run as variant" : "Run"}
         </button>
         <Options />
         <Running />
         <Tools />
       </div>
+      {refused.value && (
+        <div class="speed-problem">
+          <span id="speed-problem" role="alert">{refused.value.why}</span>
+          <button onClick={() => (refused.value = null)}>Back to the speed before</button>
+        </div>
+      )}
       <Changed />
     </>
   );

@@ -8,6 +8,7 @@ import { keepFailure } from "../state/failure.ts";
 import { hasEnded, jobs, type Job } from "../state/jobs.ts";
 import { settled } from "../state/pending.ts";
 import { below, project, readProject, type ProjectView, type RunEntry } from "../state/project.ts";
+import { refused } from "./speed.ts";
 import { file, scenario, source, ticked } from "../state/selection.ts";
 
 export const withMotion = signal(true);
@@ -22,7 +23,11 @@ export const runningJob = computed<Job | null>(
   () => jobs.value.findLast((one) => one.kind === "run" && (one.state === "running" || one.state === "waiting")) ?? null,
 );
 
-export const canRun = computed(() => scenario.value !== null && runningJob.value === null);
+/** Why nothing can be run, in words; null where a run can begin. */
+export const obstacle = computed(() =>
+  scenario.value === null ? "Choose a scenario first." : runningJob.value !== null ? "A run is being computed." : (refused.value?.why ?? null));
+
+export const canRun = computed(() => obstacle.value === null);
 
 /** A run is ordered, and the server has not answered. */
 let isOrdered = false;
@@ -36,6 +41,11 @@ export async function run(): Promise<void> {
   await settled();
   // Who ran it from a field goes on there.
   if (field instanceof HTMLInputElement && field.isConnected) field.focus();
+  // The speed may just have been typed.
+  if (refused.peek() !== null) {
+    isOrdered = false;
+    return;
+  }
   await order({
     scenario: path,
     changes: changes.peek(),

@@ -122,6 +122,9 @@ function Verdicts({ of }: { of: Comparison }) {
   );
 }
 
+/** Whether a difference has an uncertainty beside it. */
+const isSure = ({ main }: Comparison): boolean => main.some(({ cells }) => cells.some((texts) => texts.some((text) => text.includes("±"))));
+
 export function Compare() {
   const subjects = ticked.value;
   const version = versionOf(subjects);
@@ -159,7 +162,7 @@ export function Compare() {
       <Differences of={value} />
       <Placement of={value} />
       <Numbers of={value} rows={value.main} title="Main numbers" />
-      <p class="soft">{value.differences_read} Smaller than their ± they are too close to tell.</p>
+      <p class="soft">{value.differences_read}{isSure(value) && " Smaller than their ± they are too close to tell."}</p>
       <Verdicts of={value} />
       <Acceptance of={value} />
       <FigureSections
