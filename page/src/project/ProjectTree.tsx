@@ -1,6 +1,7 @@
 /** The folder: models by kind, runs to tick, studies, measured data, and the shipped library. */
 import type { ComponentChildren } from "preact";
 import { showStudy } from "../studies/vary.ts";
+import { openModel } from "../state/opening.ts";
 import { project, type ModelEntry, type ProjectView } from "../state/project.ts";
 import { showing } from "../drawing/scene.ts";
 import { file, source, ticked } from "../state/selection.ts";
@@ -24,7 +25,7 @@ export function Section({ title, count, open = true, children }: { title: string
 }
 
 function open(entry: ModelEntry): void {
-  file.value = entry.path;
+  openModel(entry.path, entry.kind);
   if (entry.kind === "study") show("studies");
 }
 

@@ -1,6 +1,6 @@
 /** The first screen: an example that runs in one click, and all shipped models to begin with. */
+import { openModel } from "../state/opening.ts";
 import { project, type ModelEntry } from "../state/project.ts";
-import { file } from "../state/selection.ts";
 import { show } from "../shell/panels.ts";
 import { copy } from "./copy.ts";
 import { LibraryList } from "./LibraryList.tsx";
@@ -25,7 +25,7 @@ function Template({ entry }: { entry: ModelEntry }) {
         class="plain"
         aria-label={`Look at ${entry.name} first`}
         onClick={() => {
-          file.value = entry.path;
+          openModel(entry.path, entry.kind);
           show("drawing");
         }}
       >

@@ -2,8 +2,8 @@
 import { ask } from "../connection/http.ts";
 import { complain, say } from "../shell/messages.ts";
 import { show } from "../shell/panels.ts";
+import { openModel } from "../state/opening.ts";
 import { project, readProject, type ModelEntry } from "../state/project.ts";
-import { file } from "../state/selection.ts";
 
 /** A name that no model of the folder has, with a number if need be. */
 export function freeName(wanted: string, taken: readonly string[]): string {
@@ -21,7 +21,7 @@ export async function copy(entry: ModelEntry): Promise<string | null> {
   try {
     const { path } = await ask<{ path: string }>("new", { body });
     await readProject();
-    file.value = path;
+    openModel(path, entry.kind);
     show("drawing");
     say("note", `${entry.name} is copied to ${path}.`);
     return path;

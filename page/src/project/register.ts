@@ -2,6 +2,7 @@
 import { computed, signal } from "@preact/signals";
 import { addCommand, addPanel, show } from "../shell/panels.ts";
 import { cancel } from "../state/jobs.ts";
+import { followOpening } from "../state/opening.ts";
 import { project } from "../state/project.ts";
 import { complain } from "../shell/messages.ts";
 import { canRun, followRuns, run, runningJob } from "./running.ts";
@@ -38,5 +39,6 @@ export function register(): void {
     when: computed(() => runningJob.value !== null),
   });
   followScenario();
+  followOpening();
   followRuns();
 }
