@@ -116,7 +116,7 @@ def test_a_line_is_opened_from_statics_and_run_as_a_variant(studio: Start, tmp_p
     page.press(*["ArrowRight"] * 5)
     page.click('.statics >> role=button[name="Run as variant"]')
     page.until("document.querySelectorAll('.run-entry').length === 2", RUN)
-    assert page.text(".run-entry .differs") == "line.contact_wire.tension 23 kN"
+    assert page.text(".run-entry .differs") == "Line contact wire: tension 23 kN"
     assert list((tmp_path / "runs").glob("*tension=23_kN"))
     assert (tmp_path / "line-line.yaml").read_text("utf-8") == before
     assert page.axe() == []

@@ -6,8 +6,9 @@ import { project, type ModelEntry, type ProjectView } from "../state/project.ts"
 import { showing } from "../drawing/scene.ts";
 import { file, source, ticked } from "../state/selection.ts";
 import { show } from "../shell/panels.ts";
-import { copy } from "./copy.ts";
+import { CopyForm, copying } from "./CopyForm.tsx";
 import { LibraryList } from "./LibraryList.tsx";
+import { showLibrary } from "./library.ts";
 import { Runs } from "./Runs.tsx";
 import { runThis } from "./running.ts";
 import { KINDS } from "./words.ts";
@@ -44,6 +45,7 @@ function Model({ entry, act }: { entry: ModelEntry; act?: [string, () => void] }
         </button>
       )}
       {entry.error && <p class="broken">{entry.error}</p>}
+      {copying.value?.path === entry.path && copying.value.at === "tree" && <CopyForm entry={entry} />}
     </li>
   );
 }
@@ -117,7 +119,7 @@ function Library({ view }: { view: ProjectView }) {
   return (
     <Section title="Library" count={view.library.length} open={false}>
       <LibraryList library={view.library} label="Search the library" hint="Search">
-        {(entry) => <Model key={entry.path} entry={entry} act={["Copy to my folder", () => void copy(entry)]} />}
+        {(entry) => <Model key={entry.path} entry={entry} act={["Copy to my folder", () => (copying.value = { path: entry.path, at: "tree" })]} />}
       </LibraryList>
     </Section>
   );
@@ -135,7 +137,10 @@ export function ProjectTree() {
   if (!view) return <p class="soft tree-head">Reading the folder</p>;
   return (
     <div class="tree">
-      <h2 class="tree-head" title={view.folder}>{view.name}</h2>
+      <div class="tree-top">
+        <h2 class="tree-head" title={view.folder}>{view.name}</h2>
+        <button title="New line, scenario or pantograph, from a shipped one" onClick={showLibrary}>New …</button>
+      </div>
       <Models view={view} />
       <Runs view={view} play={play} />
       <KeptStudies view={view} />

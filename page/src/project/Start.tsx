@@ -2,7 +2,8 @@
 import { openModel } from "../state/opening.ts";
 import { project, type ModelEntry } from "../state/project.ts";
 import { show } from "../shell/panels.ts";
-import { copy } from "./copy.ts";
+import { copy, nameFor } from "./copy.ts";
+import { CopyForm, copying } from "./CopyForm.tsx";
 import { LibraryList } from "./LibraryList.tsx";
 import { runThis } from "./running.ts";
 
@@ -10,14 +11,15 @@ import { runThis } from "./running.ts";
 const EXAMPLE = "en50318-ac-simple-320-planar";
 
 async function runExample(example: ModelEntry): Promise<void> {
-  const path = await copy(example);
+  const path = await copy(example, nameFor(example));
   if (path !== null) await runThis(path);
 }
 
 function Template({ entry }: { entry: ModelEntry }) {
+  const isAsked = copying.value?.path === entry.path && copying.value.at === "start";
   return (
     <li class="template">
-      <button class="name" onClick={() => void copy(entry)}>
+      <button class="name" aria-expanded={isAsked} onClick={() => (copying.value = { path: entry.path, at: "start" })}>
         <strong>{entry.name}</strong>
         <span>{entry.description}</span>
       </button>
@@ -31,6 +33,7 @@ function Template({ entry }: { entry: ModelEntry }) {
       >
         Look
       </button>
+      {isAsked && <CopyForm entry={entry} />}
     </li>
   );
 }

@@ -2,9 +2,11 @@
 
 import json
 from collections.abc import Mapping
+from pathlib import Path
 from typing import Any
 
 from arcless.dataset.netcdf.store import read_facts
+from arcless.model import load
 from arcless.studio.project.project import Project
 from arcless.studio.runs.order import changed_scenario
 from arcless.studio.runs.places import run_of
@@ -32,7 +34,12 @@ def is_current(project: Project, asked: Mapping[str, Any]) -> bool:
     """
     file = run_of(project, asked.get("run"))
     now, _ = changed_scenario(project, asked)
-    return _content(read_facts(file)["scenario"]) == _content(now.to_dict())
+    return _content(_scenario_of(file)) == _content(now.to_dict())
+
+
+def _scenario_of(file: Path) -> Mapping[str, Any]:
+    # Read as a scenario: one of an earlier version has no fields that came later.
+    return load(read_facts(file)["scenario"]).to_dict()
 
 
 def _content(scenario: Mapping[str, Any]) -> Any:
