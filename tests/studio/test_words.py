@@ -109,7 +109,7 @@ def test_a_line_is_opened_from_statics_and_run_as_a_variant(studio: Start, tmp_p
     before = (tmp_path / "line-line.yaml").read_text("utf-8")
     page = studio(tmp_path).open()
     page.click("role=tab[name=Statics]")
-    page.click('role=button[name="Open the line line-line.yaml"]')
+    page.click('role=button[name="Open the line"]')
     slider = 'input[type=range][id="slider-contact_wire.tension"]'
     page.wait(slider)
     page("focus", slider)

@@ -2,7 +2,7 @@
 import { useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { change, changes } from "../state/changes.ts";
-import { changeWords } from "../state/fieldWords.ts";
+import { changesInWords } from "../state/fieldWords.ts";
 import { cancel } from "../state/jobs.ts";
 import { openModel } from "../state/opening.ts";
 import { project } from "../state/project.ts";
@@ -134,7 +134,7 @@ function Changed() {
   return (
     <div class="variant" role="group" aria-label="Variant">
       <span>
-        Variant of {nameOf(base)}: {all.map(([field, value]) => changeWords(field, value)).join(", ")}
+        Variant of {nameOf(base)}: {changesInWords(all)}
       </span>
       {naming.value ? (
         <form onSubmit={(event) => void save(event)}>

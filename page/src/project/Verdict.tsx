@@ -74,7 +74,7 @@ export function Verdict() {
         <>
           <span class={lead.isSign ? "criterion sign" : "criterion"}>{lead.title}</span>
           <span class="numbers">
-            {lead.value} {lead.limit && <span class="soft">(limit {lead.limit})</span>}
+            {lead.value} {lead.limit && !mark && <span class="soft">(limit {lead.limit})</span>}
           </span>
           {lead.more > 0 && <span class="more soft">and {lead.more} more</span>}
         </>

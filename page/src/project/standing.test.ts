@@ -8,7 +8,7 @@ const run: RunEntry = {
 };
 
 test("a verdict names its run, and what is recorded is no part of the name", () => {
-  expect(runWords(run)).toBe("a, Speed 300 km/h");
+  expect(runWords(run)).toBe("a, speed 300 km/h");
 });
 
 test("a verdict of another run than the bar would run says so", () => {

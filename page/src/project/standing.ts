@@ -1,5 +1,5 @@
 /** How what is shown stands to the scenario of the run bar: a verdict of another run, a file that is no part of it. */
-import { changeWords } from "../state/fieldWords.ts";
+import { changesAfter } from "../state/fieldWords.ts";
 import { lineOf } from "../state/lineOf.ts";
 import { written, type Changes } from "../state/changes.ts";
 import type { ModelEntry, RunEntry } from "../state/project.ts";
@@ -13,7 +13,7 @@ const own = (changes: Record<string, string>) =>
 
 /** Name of a run: its scenario, and what it changes of it. */
 export const runWords = (run: RunEntry): string =>
-  [run.name ?? run.path, ...own(run.changes).map(([field, value]) => changeWords(field, value))].join(", ");
+  [run.name ?? run.path, changesAfter(own(run.changes))].filter(Boolean).join(", ");
 
 /**
  * What is said beside the verdict of a run that is not of what the run bar would run now; empty where it

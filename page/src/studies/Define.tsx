@@ -2,7 +2,7 @@
 import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { changes } from "../state/changes.ts";
-import { changeWords } from "../state/fieldWords.ts";
+import { changesInWords } from "../state/fieldWords.ts";
 import { subject, told as named } from "../state/subject.ts";
 import { anotherName, followDefinition, save, saving, told, toldOf } from "./asking.ts";
 import {
@@ -160,7 +160,7 @@ function OfRunBar() {
     <div class="bar">
       <label>
         <input type="checkbox" checked={withChanges.value} onChange={(event) => (withChanges.value = event.currentTarget.checked)} />{" "}
-        With the changes of the run bar: {all.map(([field, value]) => changeWords(field, value)).join(", ")}
+        With the changes of the run bar: {changesInWords(all)}
       </label>
       {!withChanges.value && <span class="soft">All variants have the values of the file here.</span>}
       <ErrorAt place={["set"]} />

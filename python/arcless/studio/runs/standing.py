@@ -1,4 +1,4 @@
-"""Whether a run on the disk is that of a scenario as it is now, whatever was edited since."""
+"""Comparison of a run on the disk with the scenario as it is now, whatever was edited since."""
 
 import json
 from collections.abc import Mapping
@@ -11,7 +11,7 @@ from arcless.studio.project.project import Project
 from arcless.studio.runs.order import changed_scenario
 from arcless.studio.runs.places import run_of
 
-# What changes no number of a run: words, and what is recorded or repeated.
+# Words, and fields of what is recorded or repeated: they change no number of a run.
 _NO_CONTENT = frozenset({"name", "description", "sources", "provenance", "output", "certainty"})
 
 
@@ -34,16 +34,16 @@ def is_current(project: Project, asked: Mapping[str, Any]) -> bool:
     """
     file = run_of(project, asked.get("run"))
     now, _ = changed_scenario(project, asked)
-    return _content(_scenario_of(file)) == _content(now.to_dict())
+    return bool(_content(_scenario_of(file)) == _content(now.to_dict()))
 
 
 def _scenario_of(file: Path) -> Mapping[str, Any]:
-    # Read as a scenario: one of an earlier version has no fields that came later.
+    # Through the model: a scenario of an earlier version has no fields that came later.
     return load(read_facts(file)["scenario"]).to_dict()
 
 
 def _content(scenario: Mapping[str, Any]) -> Any:
-    # As JSON, in which the run keeps it: there are no tuples.
+    # Through JSON, which has no tuples.
     return json.loads(json.dumps(scenario), object_hook=_without_words)
 
 
