@@ -146,7 +146,7 @@ def test_ticked_runs_are_overlaid_with_what_differs_alone(
     assert {"speed 320 km/h", "speed 300 km/h", "support"} == set(legend.split("\n"))
     fields = page.js("""[...document.querySelectorAll('table')].find((one) =>
         one.caption.textContent === 'What differs').tBodies[0].innerText""")
-    assert fields.split("\t") == ["speed", "320 km/h", "300 km/h"]
+    assert fields.split("\t") == ["Speed", "320 km/h", "300 km/h"]
     assert page.axe() == []
 
 

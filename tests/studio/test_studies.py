@@ -80,6 +80,25 @@ def test_a_study_is_defined_watched_and_a_variant_opened(studio: Start, folder: 
     assert made.speed == pytest.approx(0.9 * 275 / 3.6)
 
 
+def test_a_study_has_the_changes_of_the_run_bar(studio: Start, folder: Path) -> None:
+    page = studio(folder).open(DESK)
+    page.click('nav >> text="short" >> nth=0')
+    page.type("250 km/h", into=".run-bar .speed")
+    page.press("Enter")
+    page.click('role=tab[name="Studies"]')
+    page.type("contact tension", into=".fields input[type=search]")
+    page.click(".fields label:has-text('contact wire: tension') input")
+    page.wait("text=With the changes of the run bar: Speed 250 km/h")
+    page.wait("text=5 variants")
+    page.click('role=button[name="Save and start"]')
+    page.until(f"{ROWS} === 5")
+    assert study.load(folder / "short-study.yaml").changes == {"speed": "250 km/h"}
+    page.click(".rows tbody tr:nth-child(2)")
+    page.click('role=button[name="Open as scenario"]')
+    page.wait("text=is the scenario short-study-2.yaml")
+    assert arcless.load(folder / "short-study-2.yaml").speed == pytest.approx(250 / 3.6)
+
+
 def test_brushes_by_mouse_and_by_keyboard(studio: Start, folder: Path) -> None:
     page = defining(studio, folder)
     page.click('role=button[name="Save and start"]')

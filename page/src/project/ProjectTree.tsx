@@ -1,12 +1,14 @@
 /** The folder: models by kind, runs to tick, studies, measured data, and the shipped library. */
 import type { ComponentChildren } from "preact";
 import { showStudy } from "../studies/vary.ts";
+import { openModel } from "../state/opening.ts";
 import { project, type ModelEntry, type ProjectView } from "../state/project.ts";
 import { showing } from "../drawing/scene.ts";
 import { file, source, ticked } from "../state/selection.ts";
 import { part, show } from "../shell/panels.ts";
-import { copy } from "./copy.ts";
+import { CopyForm, copying } from "./CopyForm.tsx";
 import { LibraryList } from "./LibraryList.tsx";
+import { showLibrary } from "./library.ts";
 import { Runs } from "./Runs.tsx";
 import { runThis } from "./running.ts";
 import { treeKey } from "./treeKeys.ts";
@@ -25,7 +27,7 @@ export function Section({ title, count, open = true, children }: { title: string
 }
 
 function open(entry: ModelEntry): void {
-  file.value = entry.path;
+  openModel(entry.path, entry.kind);
   part.value = "main";
   if (entry.kind === "study") show("studies");
 }
@@ -45,6 +47,7 @@ function Model({ entry, act }: { entry: ModelEntry; act?: [string, () => void] }
         </button>
       )}
       {entry.error && <p class="broken" title={entry.error}>{isOpen ? "An error, told below its fields" : entry.error}</p>}
+      {copying.value?.path === entry.path && copying.value.at === "tree" && <CopyForm entry={entry} />}
     </li>
   );
 }
@@ -118,7 +121,7 @@ function Library({ view }: { view: ProjectView }) {
   return (
     <Section title="Library" count={view.library.length} open={false}>
       <LibraryList library={view.library} label="Search the library" hint="Search">
-        {(entry) => <Model key={entry.path} entry={entry} act={["Copy to my folder", () => void copy(entry)]} />}
+        {(entry) => <Model key={entry.path} entry={entry} act={["Copy to my folder", () => (copying.value = { path: entry.path, at: "tree" })]} />}
       </LibraryList>
     </Section>
   );
@@ -137,7 +140,10 @@ export function ProjectTree() {
   if (!view) return <p class="soft tree-head">Reading the folder</p>;
   return (
     <div class="tree" onKeyDown={treeKey}>
-      <h2 class="tree-head" title={view.folder}>{view.name}</h2>
+      <div class="tree-top">
+        <h2 class="tree-head" title={view.folder}>{view.name}</h2>
+        <button title="New line, scenario or pantograph, from a shipped one" onClick={showLibrary}>New …</button>
+      </div>
       <Models view={view} />
       <Runs view={view} play={play} />
       <KeptStudies view={view} />

@@ -1,8 +1,10 @@
 /** The bar at the top: scenario, speed, pantographs, run, its progress, the verdict. */
 import { useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
-import { change, changes, written } from "../state/changes.ts";
+import { change, changes } from "../state/changes.ts";
+import { changesInWords } from "../state/fieldWords.ts";
 import { cancel } from "../state/jobs.ts";
+import { openModel } from "../state/opening.ts";
 import { project } from "../state/project.ts";
 import { file, scenario, source } from "../state/selection.ts";
 import { complain, messages, worstOf } from "../shell/messages.ts";
@@ -11,6 +13,7 @@ import { dialog, listed } from "../shell/window.ts";
 import { canRun, isWatched, nameOf, obstacle, run, runningJob, saveAsScenario, withCertainty, withMotion } from "./running.ts";
 import { fields } from "./scenarioFields.ts";
 import { refused, typeSpeed } from "./speed.ts";
+import { isPart } from "./standing.ts";
 import { Verdict } from "./Verdict.tsx";
 
 function Scenario() {
@@ -26,8 +29,7 @@ function Scenario() {
         title={scenario.value === null ? "" : nameOf(scenario.value)}
         value={scenario.value ?? ""}
         onChange={(event) => {
-          scenario.value = event.currentTarget.value || null;
-          file.value = scenario.value;
+          if (event.currentTarget.value) openModel(event.currentTarget.value, "scenario");
         }}
       >
         {scenario.value === null && <option value="">Choose one</option>}
@@ -141,7 +143,7 @@ function Changed() {
   return (
     <div class="variant" role="group" aria-label="Variant">
       <span>
-        Variant of {nameOf(base)}: {all.map(([field, value]) => `${field} ${written(value)}`).join(", ")}
+        Variant of {nameOf(base)}: {changesInWords(all)}
       </span>
       {naming.value ? (
         <form onSubmit={(event) => void save(event)}>
@@ -156,6 +158,20 @@ function Changed() {
         </>
       )}
     </div>
+  );
+}
+
+/** The file that is open, where what is changed in it changes nothing of the scenario that is run. */
+function Beside() {
+  const [path, chosen, view] = [file.value, scenario.value, project.value];
+  const entry = [...(view?.models ?? []), ...(view?.library ?? [])].find((one) => one.path === path);
+  if (!entry || chosen === null || entry.kind === "study") return null;
+  if (isPart(entry.path, chosen, fields.value, changes.value, view!.models) !== false) return null;
+  return (
+    <p class="beside" role="status">
+      The {entry.kind} that is open, {entry.name}, is no part of the scenario that is run, {nameOf(chosen)}.{" "}
+      <button onClick={() => openModel(chosen, "scenario")}>Open the scenario</button>
+    </p>
   );
 }
 
@@ -218,6 +234,7 @@ export function RunBar() {
         </div>
       )}
       <Changed />
+      <Beside />
     </>
   );
 }

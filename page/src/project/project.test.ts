@@ -56,8 +56,8 @@ it("names what differs between runs, and nothing else", () => {
     run("r/2", { changes: { speed: "300 km/h" }, speed_m_s: 83.3 }),
     run("r/3", { name: "b", changes: { speed: "300 km/h" }, speed_m_s: 83.3 }),
   ];
-  expect(differences(runs)).toEqual([["a", "as in the file"], ["a", "speed 300 km/h"], ["b", "speed 300 km/h"]]);
-  expect(differences(runs.slice(1, 2))).toEqual([["a", "speed 300 km/h"]]);
+  expect(differences(runs)).toEqual([["a", "as in the file"], ["a", "Speed 300 km/h"], ["b", "Speed 300 km/h"]]);
+  expect(differences(runs.slice(1, 2))).toEqual([["a", "Speed 300 km/h"]]);
 });
 
 it("finds the newest run that can be read", () => {
@@ -77,7 +77,7 @@ it("names the line where runs differ by nothing else", () => {
   // A field of the line that was set says what differs.
   const field = "line.contact_wire.tension";
   const set = [run("r/1", { changes: { [field]: "15 kN" } }), run("r/2", { changes: { [field]: "16 kN" }, line_digest: "2" })];
-  expect(differences(set)).toEqual([["a", `${field} 15 kN`], ["a", `${field} 16 kN`]]);
+  expect(differences(set)).toEqual([["a", "Line contact wire: tension 15 kN"], ["a", "Line contact wire: tension 16 kN"]]);
 });
 
 const criterion = (name: string, more: Partial<Criterion>): Criterion => ({

@@ -6,10 +6,11 @@ import { complain, say } from "../shell/messages.ts";
 import { changes } from "../state/changes.ts";
 import { keepFailure } from "../state/failure.ts";
 import { hasEnded, jobs, type Job } from "../state/jobs.ts";
+import { openModel } from "../state/opening.ts";
 import { settled } from "../state/pending.ts";
 import { below, project, readProject, type ProjectView, type RunEntry } from "../state/project.ts";
 import { refused } from "./speed.ts";
-import { file, scenario, source, ticked } from "../state/selection.ts";
+import { scenario, source, ticked } from "../state/selection.ts";
 
 export const withMotion = signal(true);
 export const withCertainty = signal(false);
@@ -74,8 +75,7 @@ async function order(body: object): Promise<void> {
 
 /** Run a scenario at once. */
 export async function runThis(path: string): Promise<void> {
-  scenario.value = path;
-  file.value = path;
+  openModel(path, "scenario");
   await run();
 }
 
@@ -87,8 +87,7 @@ export async function saveAsScenario(name: string): Promise<boolean> {
     const body = { scenario: base, name, changes: changes.peek() };
     const { path } = await ask<{ path: string }>("variant", { body });
     await readProject();
-    scenario.value = path;
-    file.value = path;
+    openModel(path, "scenario");
     say("note", `${path} holds what differs from ${nameOf(base)}.`);
     return true;
   } catch (error) {
@@ -169,21 +168,5 @@ export function followRuns(): void {
   effect(() => {
     const all = jobs.value;
     untracked(() => all.forEach(endedIf));
-  });
-  // The first scenario of the folder is chosen until somebody chooses; one that is gone is let go.
-  effect(() => {
-    const view = project.value;
-    if (!view) return;
-    const all = [...view.models, ...view.library].filter((one) => one.kind === "scenario");
-    if (all.some((one) => one.path === scenario.peek())) return;
-    scenario.value = view.models.find((one) => one.kind === "scenario" && !one.error)?.path ?? null;
-    if (file.peek() === null) file.value = scenario.peek();
-  });
-  // A scenario that is opened is the one that is run.
-  effect(() => {
-    const path = file.value;
-    const view = project.peek();
-    const entry = [...(view?.models ?? []), ...(view?.library ?? [])].find((one) => one.path === path);
-    if (entry?.kind === "scenario") scenario.value = entry.path;
   });
 }

@@ -1,5 +1,6 @@
 /** Ticked runs and measurements side by side: what differs, verdicts, numbers, overlays. */
 import { colour, scheme } from "../charts/colours.ts";
+import { fieldWords } from "../state/fieldWords.ts";
 import { ticked } from "../state/selection.ts";
 import { Acceptance, Bands, Placement } from "./MeasuredTables.tsx";
 import { useAnswer } from "./answer.ts";
@@ -59,7 +60,7 @@ function Differences({ of }: { of: Comparison }) {
         <tbody>
           {of.fields.map((one) => (
             <tr key={one.path}>
-              <th scope="row">{one.path}</th>
+              <th scope="row" title={one.path}>{fieldWords(one.path)}</th>
               {one.values.map((value, k) => (
                 <td key={k} class="number">
                   {value ?? "–"}

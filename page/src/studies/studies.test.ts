@@ -1,7 +1,10 @@
 import { expect, test } from "vitest";
 import { BUCKETS, bucketOf } from "./colours.ts";
 import { columnsOf, extent, kept, shown, sorted, variantOf } from "./columns.ts";
-import { aimAt, amount, columnName, definition, fileOf, freeName, name, outputs, sample, scenario, size, varied, vary, way, type VariedField } from "./defining.ts";
+import { changes } from "../state/changes.ts";
+import {
+  aimAt, amount, asChanged, columnName, definition, fileOf, freeName, name, outputs, sample, scenario, size, varied, vary, way, withChanges, type VariedField,
+} from "./defining.ts";
 import type { Definition, Row } from "./open.ts";
 import { layout, lineAt, pointAt } from "./parallel.ts";
 import { limitsOf, verdictOf, verdictOn, wordsOf } from "./verdicts.ts";
@@ -72,7 +75,7 @@ test("what is ticked becomes the study as its file has it", () => {
   vary(tension);
   vary({ ...tension, field: "line.messenger_wire.tension" });
   expect(definition.value).toEqual({
-    name: "my study", scenario: "own.yaml", design: { kind: "grid" }, outputs: ["std_force_N"],
+    name: "my study", scenario: "own.yaml", set: null, design: { kind: "grid" }, outputs: ["std_force_N"],
     variables: {
       tension: { field: "line.contact_wire.tension", range: ["19.8 kN", "24.2 kN"], count: 5 },
       tension_2: { field: "line.messenger_wire.tension", range: ["19.8 kN", "24.2 kN"], count: 5 },
@@ -82,6 +85,25 @@ test("what is ticked becomes the study as its file has it", () => {
   sample.value = "sobol";
   expect(definition.value?.design).toEqual({ kind: "sobol", count: 32 });
   expect(definition.value?.variables["tension"]).toEqual({ field: "line.contact_wire.tension", range: ["19.8 kN", "24.2 kN"] });
+});
+
+test("all variants have what the run bar changes, but for what is varied", () => {
+  scenario.value = "own.yaml";
+  varied.value = [];
+  vary(tension);
+  changes.value = { speed: "300 km/h", "line.contact_wire.tension": "17 kN", "pantographs.0.model": "dsa-250" };
+  expect(definition.value?.set).toEqual({ speed: "300 km/h", "pantographs.0.model": "dsa-250" });
+  withChanges.value = false;
+  expect(definition.value?.set).toBeNull();
+  withChanges.value = true;
+  changes.value = {};
+  expect(definition.value?.set).toBeNull();
+});
+
+test("the range of a field begins around the value that the run bar gives it", () => {
+  expect(asChanged(tension, undefined)).toBe(tension);
+  expect(asChanged(tension, "11 kN")).toEqual({ ...tension, typed: "11 kN", value: 11, offered: [9.9, 12.1] });
+  expect(asChanged(tension, "11000 N")).toEqual({ ...tension, typed: "11000 N" });
 });
 
 test("a search has the aims and bounds of the outputs that are ticked, and of no others", () => {
