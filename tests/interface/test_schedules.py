@@ -41,6 +41,9 @@ def test_schedules_are_those_of_statics(arcless: Command, scenario: str) -> None
         cut = told["unstretched_length_m"] + 0.030
         assert float(row["cut length [m]"]) == pytest.approx(cut, abs=LENGTH)
         assert float(row["force at rest [N]"]) == pytest.approx(told["force_N"], abs=FORCE)
+        before = max(one["x_m"] for one in found["supports"] if one["x_m"] <= told["x_m"])
+        along = float(row["distance from support [m]"])
+        assert along == pytest.approx(told["x_m"] - before, abs=LENGTH)
     assert len(supports) == len(found["supports"])
     for row, told in zip(supports, found["supports"], strict=True):
         assert row["support"] == told["name"]

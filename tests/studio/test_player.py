@@ -138,7 +138,10 @@ def test_a_phone_shows_one_part_and_below_it_the_player_in_one_row(
 ) -> None:
     found = opened(studio, folder, PHONE)
     assert found.count(".body[data-part=main]") == 1, "a run that is opened is seen"
-    box = "(({{top, bottom, height}}) => [top, bottom, height])(document.querySelector('{}').getBoundingClientRect())"
+    box = (
+        "(({{top, bottom, height}}) => [top, bottom, height])"
+        "(document.querySelector('{}').getBoundingClientRect())"
+    )
     parts = found.js(box.format("nav.parts"))
     bar = found.js(box.format(".transport"))
     strips = found.js(box.format(".strips"))

@@ -151,7 +151,7 @@ def test_a_measurement_of_a_run_lies_on_it_and_has_its_name(
     arcless("measure", tmp_path / "runs" / "a", "--to", tmp_path / "measured" / "site-7.csv")
     page = studio(tmp_path).open()
     page("check", ".run-entry input")
-    page("check", "nav label:has-text('site-7.csv') input")
+    page("check", "nav input[aria-label$='site-7.csv']")
     page.click("role=tab[name=Compare]")
     page.wait("main table")
     placed = page.text('[aria-label="Placement of the measurement"] tbody')

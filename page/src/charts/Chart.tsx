@@ -7,6 +7,7 @@ import { useEffect, useMemo, useRef } from "preact/hooks";
 import { complain } from "../shell/messages.ts";
 import { cursor } from "../state/selection.ts";
 import { Controller } from "./controller.ts";
+import type { Range } from "./extent.ts";
 import type { Head, Layer, Shown, Figure } from "./figure.ts";
 import { Legend } from "./Legend.tsx";
 import { ScaleKey } from "./ScaleKey.tsx";
@@ -17,7 +18,7 @@ export type Ask = (shown: Shown, signal: AbortSignal) => Promise<Figure>;
 /** Charts a screen away are loaded before they are seen. */
 const AHEAD = "600px";
 
-export function Chart({ head, ask }: { head: Head; ask: Ask }) {
+export function Chart({ head, ask, opens }: { head: Head; ask: Ask; opens?: Range | undefined }) {
   const into = useRef<HTMLDivElement>(null);
   const layers = useSignal<Layer[]>([]);
   const readout = useSignal("");
@@ -25,7 +26,7 @@ export function Chart({ head, ask }: { head: Head; ask: Ask }) {
   const zoomed = useSignal(false);
   const failed = useSignal(false);
   const controller = useMemo(
-    () => new Controller(head, ask, { layers, readout, hidden, zoomed, failed }, complain),
+    () => new Controller(head, ask, { layers, readout, hidden, zoomed, failed }, complain, opens ?? null),
     [head, ask],
   );
   useEffect(() => {

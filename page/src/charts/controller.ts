@@ -41,6 +41,8 @@ export class Controller {
     ask: (shown: Shown, signal: AbortSignal) => Promise<Figure>,
     private readonly shows: Shows,
     private readonly complain: (error: unknown) => void,
+    /** What a chart along the track shows until a range is chosen; null: what the window shows. */
+    private opens: Range | null = null,
   ) {
     this.isTrack = head.x.group === TRACK;
     this.more = newest((stop: AbortSignal, shown: Shown) => ask(shown, stop));
@@ -82,8 +84,10 @@ export class Controller {
       if (this.visible.value) this.plot?.redraw();
     });
     if (!this.isTrack) return [redraw()];
+    const before = range.peek();
     const follows = effect(() => {
-      const wanted = range.value;
+      if (range.value !== before) this.opens = null;
+      const wanted = this.opens ?? range.value;
       this.shows.zoomed.value = wanted !== null;
       if (this.visible.value) this.take(wanted);
     });
@@ -186,6 +190,7 @@ export class Controller {
 
   /** Show all of it again. */
   reset(): void {
+    this.opens = null;
     if (this.isTrack && range.peek() !== null) range.value = null;
     else this.take(null);
   }

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { decimals, formed, stepped } from "./numbers.ts";
+import { decimals, formed, logarithmicTicks, powered, stepped } from "./numbers.ts";
 
 describe("numbers", () => {
   it("have a real minus, and none at zero", () => {
@@ -16,5 +16,17 @@ describe("numbers", () => {
     expect(stepped(12.5, 0.5)).toBe("12.5");
     expect(stepped(1200, 200)).toBe("1200");
     expect(stepped(0.05, 0.01)).toBe("0.05");
+  });
+});
+
+describe("logarithmic axes", () => {
+  it("have ticks at powers, with 2 and 5 between where these are few", () => {
+    expect(logarithmicTicks(0.37, 25)).toEqual([0.5, 1, 2, 5, 10, 20]);
+    expect(logarithmicTicks(0.0009, 12000)).toEqual([0.001, 0.01, 0.1, 1, 10, 100, 1000, 10000]);
+  });
+  it("write large numbers as powers, so that they do not reach the title", () => {
+    const beside = [0.001, 1, 10000];
+    expect(beside.map((one) => powered(one, beside))).toEqual(["10⁻³", "10⁰", "10⁴"]);
+    expect(powered(20, [0.5, 20])).toBe("20");
   });
 });

@@ -17,3 +17,30 @@ export function formed(value: number, form: string): string {
 export function stepped(value: number, step: number): string {
   return decimals(value, Math.min(6, Math.max(0, Math.ceil(-Math.log10(step) - 1e-9))));
 }
+
+/** Fewer powers of ten than this on a logarithmic axis, and 2 and 5 times a power have a tick too. */
+const FEW_POWERS = 3;
+
+/** Places of the numbers of a logarithmic axis: powers of ten, with 2 and 5 times them where these are few. */
+export function logarithmicTicks(low: number, high: number): number[] {
+  const powers = Math.log10(high / low);
+  const found: number[] = [];
+  for (let k = Math.floor(Math.log10(low)); k <= Math.log10(high); k++) {
+    for (const one of powers < FEW_POWERS ? [1, 2, 5] : [1]) {
+      const at = Number(`${one}e${k}`);
+      if (at >= low && at <= high) found.push(at);
+    }
+  }
+  return found;
+}
+
+const RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+
+/** A number of a logarithmic axis, short enough to stand beside the title: large and small powers as powers. */
+export function powered(value: number, beside: readonly number[]): string {
+  const isWide = beside.some((one) => one > 1000 || one < 0.01);
+  const power = Math.round(Math.log10(value));
+  if (!isWide || Number(`1e${power}`) !== value) return String(value);
+  const raised = [...String(Math.abs(power))].map((digit) => RAISED[Number(digit)]).join("");
+  return `10${power < 0 ? "⁻" : ""}${raised}`;
+}

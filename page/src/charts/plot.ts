@@ -8,7 +8,7 @@ import { colour } from "./colours.ts";
 import { ends, type Range } from "./extent.ts";
 import type { Axis, Figure, Layer } from "./figure.ts";
 import { draw, type Frame } from "./layers.ts";
-import { stepped } from "./numbers.ts";
+import { logarithmicTicks, powered, stepped } from "./numbers.ts";
 
 /** What a chart tells whoever made it. */
 export interface Told {
@@ -186,6 +186,13 @@ function axisOf(axis: Axis, side: "x" | "y", figure: Figure): uPlot.Axis {
     grid: { show: !isMap, stroke: () => colour("grid"), width: 1 },
     ticks: { stroke: () => colour("rule"), width: 1, size: 5 },
     ...(axis.categories.length ? named(axis.categories) : {}),
+    ...(axis.logarithmic
+      ? {
+          splits: (_u, _k, low, high) => logarithmicTicks(low, high),
+          filter: (_u, splits) => splits,
+          values: (_u, splits) => splits.map((value) => powered(value, splits)),
+        }
+      : {}),
     ...(axis.categories.length || axis.logarithmic ? {} : { values: (_u, splits) => texts(splits, axis.form) }),
   };
 }

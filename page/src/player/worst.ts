@@ -15,7 +15,7 @@ export function followWorst(): void {
     worst.value = [];
     wentTo.value = null;
     if (!of || !("run" in of)) return;
-    // A run that stopped early has no explanation: J and K then have nowhere to go.
+    // A run that is too short has no explanation: J and K then have nowhere to go.
     void ask<Explained>("explain", { query: { run: of.run } })
       .then(({ pantographs }) => {
         if (source.peek() !== of) return;

@@ -9,6 +9,7 @@ import { part, show } from "../shell/panels.ts";
 import { CopyForm, copying } from "./CopyForm.tsx";
 import { LibraryList } from "./LibraryList.tsx";
 import { showLibrary } from "./library.ts";
+import { openMeasured } from "../results/measured.ts";
 import { Runs } from "./Runs.tsx";
 import { runThis } from "./running.ts";
 import { treeKey } from "./treeKeys.ts";
@@ -83,17 +84,18 @@ function Measured({ view }: { view: ProjectView }) {
       <ul>
         {view.measured.map(({ path }) => (
           <li key={path} class="entry">
-            <label class="tick">
-              <input
-                type="checkbox"
-                checked={ticked.value.includes(path)}
-                onChange={(event) => {
-                  const others = ticked.value.filter((one) => one !== path);
-                  ticked.value = event.currentTarget.checked ? [...others, path] : others;
-                }}
-              />
+            <input
+              type="checkbox"
+              aria-label={`Compare ${path}`}
+              checked={ticked.value.includes(path)}
+              onChange={(event) => {
+                const others = ticked.value.filter((one) => one !== path);
+                ticked.value = event.currentTarget.checked ? [...others, path] : others;
+              }}
+            />
+            <button class="name" title={`${path}: speed, supply and mass above the sensors`} onClick={() => openMeasured(path)}>
               {path.replace(/^.*\//, "")}
-            </label>
+            </button>
           </li>
         ))}
       </ul>

@@ -26,7 +26,7 @@ test("a file is part of a scenario that names it, its base, or a change", () => 
   const models = [
     model("v.yaml", "scenario", ["s.yaml"]), model("s.yaml", "scenario", ["line.yaml"]), model("line.yaml", "line", ["droppers.csv"]), model("other.yaml", "line"),
   ];
-  const fields = { path: "v.yaml", speed: null, line: null, pantographs: ["dsa-250"] };
+  const fields = { path: "v.yaml", speed: null, speedField: "speed", line: null, pantographs: ["dsa-250"] };
   const part = (path: string, changes = {}, found: typeof fields | null = fields) => isPart(path, "v.yaml", found, changes, models);
   expect(["v.yaml", "s.yaml", "line.yaml"].map((path) => part(path))).toEqual([true, true, true]);
   expect(part("other.yaml")).toBe(false);

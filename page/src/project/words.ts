@@ -90,7 +90,7 @@ function lineOf(run: RunEntry, others: readonly RunEntry[]): string {
 /**
  * Name of each run and what tells it from the others. Fields that all runs set to the same value are left
  * out, and what is recorded: it changes no number. Of runs that no field tells apart the line is told,
- * where it differs.
+ * where it differs, and else which one of them it is, the oldest first.
  */
 export function differences(runs: readonly RunEntry[]): [string, string][] {
   const fields = [...new Set(runs.flatMap((run) => Object.keys(run.changes)))].filter((field) => !field.startsWith("output."));
@@ -100,6 +100,8 @@ export function differences(runs: readonly RunEntry[]): [string, string][] {
     const told = own.length ? [changesInWords(own)] : [];
     const alike = runs.filter((one) => one.name === run.name && differs.every((field) => one.changes[field] === run.changes[field]));
     if (run.line !== null && alike.some((one) => one.line_digest !== run.line_digest)) told.push(lineOf(run, alike));
+    const same = alike.filter((one) => one.line_digest === run.line_digest).sort((a, b) => (a.created ?? "").localeCompare(b.created ?? ""));
+    if (same.length > 1) told.push(`run ${same.indexOf(run) + 1} of ${same.length}`);
     const asInFile = runs.some((one) => one !== run && one.name === run.name && !alike.includes(one));
     return [run.name ?? run.path, told.join(", ") || (asInFile ? "as in the file" : "")];
   });

@@ -1,17 +1,21 @@
 /** Ticked runs and measurements side by side: what differs, verdicts, numbers, overlays. */
 import { colour, scheme } from "../charts/colours.ts";
 import { fieldWords } from "../state/fieldWords.ts";
+import { project } from "../state/project.ts";
 import { ticked } from "../state/selection.ts";
 import { Acceptance, Bands, Placement } from "./MeasuredTables.tsx";
 import { useAnswer } from "./answer.ts";
-import { askComparison, askOverlay } from "./asking.ts";
+import { askComparison, askOverlay, type Compares } from "./asking.ts";
 import { FigureSections } from "./FigureSections.tsx";
 import { held, take } from "./measured.ts";
+import { givenAmong } from "./measuredAs.ts";
+import { MeasuredForm } from "./MeasuredForm.tsx";
+import { namesOf, ordered } from "./named.ts";
 import { RowHead } from "./RowHead.tsx";
 import { RunList } from "./RunList.tsx";
 import { Nothing, Refusal, Waiting } from "./State.tsx";
 import type { Compared, Comparison } from "./told.ts";
-import { versionOf } from "./which.ts";
+import { baseline, versionOf } from "./which.ts";
 import "./results.css";
 
 function AddMeasured() {
@@ -125,18 +129,54 @@ function Verdicts({ of }: { of: Comparison }) {
 
 /** Whether a difference has an uncertainty beside it. */
 const isSure = ({ main }: Comparison): boolean => main.some(({ cells }) => cells.some((texts) => texts.some((text) => text.includes("±"))));
+/** Which run the others are compared with. */
+function Baseline({ what }: { what: Compares }) {
+  return (
+    <p>
+      <label>
+        Compared with{" "}
+        <select value={what.subjects[0]} onChange={(event) => (baseline.value = event.currentTarget.value)}>
+          {what.subjects.map((path, k) => (
+            <option key={path} value={path}>
+              {what.names[k]}
+            </option>
+          ))}
+        </select>
+      </label>
+    </p>
+  );
+}
+
+/** A form for each measurement that is ticked. */
+function Measurements({ what }: { what: Compares }) {
+  const measured = new Set(project.value?.measured.map((one) => one.path));
+  return (
+    <>
+      {what.subjects.map((path, k) => measured.has(path) && <MeasuredForm key={path} path={path} name={what.names[k] ?? path} />)}
+    </>
+  );
+}
+
+function asked(paths: string[]): Compares {
+  const view = project.value ?? { runs: [], measured: [] };
+  const subjects = ordered(paths, baseline.value, view);
+  const names = namesOf(view);
+  return { subjects, names: subjects.map((path) => names.get(path) ?? path), measured: givenAmong(subjects) };
+}
 
 export function Compare() {
-  const subjects = ticked.value;
-  const version = versionOf(subjects);
+  const what = asked(ticked.value);
+  const { subjects } = what;
+  const version = `${versionOf(subjects)}\n${JSON.stringify(what)}`;
   const enough = subjects.length > 1;
-  const { value, waiting, complaint } = useAnswer(enough ? version : null, (signal) => askComparison(subjects, signal)).value;
+  const { value, waiting, complaint } = useAnswer(enough ? version : null, (signal) => askComparison(what, signal)).value;
   if (!enough) {
     return (
       <Nothing>
-        <p>{subjects.length ? "One run is ticked." : "Nothing is ticked."} Tick at least two runs, and they are compared with the first of them.</p>
+        <p>{subjects.length ? "One run or measurement is ticked." : "Nothing is ticked."} Tick at least two; they are compared with the oldest run, or with another one that you choose.</p>
         <RunList measured />
         <AddMeasured />
+        <Measurements what={what} />
       </Nothing>
     );
   }
@@ -144,6 +184,7 @@ export function Compare() {
     return (
       <>
         <Refusal complaint={complaint} what="What is ticked cannot be compared" />
+        <Measurements what={what} />
         <AddMeasured />
       </>
     );
@@ -151,8 +192,17 @@ export function Compare() {
   if (waiting || !value) return <Waiting what={`${subjects.length} runs`} />;
   return (
     <article class="results">
-      <h2>{value.title}</h2>
+      <h2>
+        {value.title}, compared with {value.names[0]}
+      </h2>
+      <Baseline what={what} />
       <AddMeasured />
+      <Measurements what={what} />
+      {value.changes.map((text) => (
+        <p key={text} class="change">
+          {text}
+        </p>
+      ))}
       {value.warnings.length > 0 && (
         <ul class="remarks" aria-label="Remarks">
           {value.warnings.map((text) => (
@@ -169,7 +219,8 @@ export function Compare() {
       <FigureSections
         sections={value.sections}
         version={version}
-        ask={(key, shown, signal) => askOverlay(subjects, key, shown, signal)}
+        opens={value.section_m}
+        ask={(key, shown, signal) => askOverlay(what, key, shown, signal)}
       />
       <Bands of={value} />
       <details>

@@ -94,6 +94,7 @@ export function Explanation() {
   if (found.complaint) return <Refusal complaint={found.complaint} what={`σ of ${run} cannot be explained`} />;
   if (found.waiting || !found.value) return <Waiting what={run} />;
   const { explained, figures } = found.value;
+  if (explained.refused) return <Refusal complaint={explained.refused} what={`σ of ${run} cannot be explained`} />;
   return (
     <article class="results">
       <h2>Why σ is as it is: {figures.title}</h2>

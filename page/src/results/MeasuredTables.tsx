@@ -2,13 +2,13 @@
 import { RowHead } from "./RowHead.tsx";
 import type { Comparison } from "./told.ts";
 
-/** How each measurement lies on the line of the first run. */
+/** How each measurement lies on the line of a run, which the caption names. */
 export function Placement({ of }: { of: Comparison }) {
   if (!of.placement.length) return null;
   return (
     <div class="wide" tabIndex={0} role="region" aria-label="Placement of the measurement">
       <table>
-        <caption>Placement of the measurement</caption>
+        <caption>Placement of the measurement{of.placed_on === null ? "" : `, on the line of ${of.placed_on}`}</caption>
         <thead>
           <tr>
             {["measurement", "pantograph", "placed by", "offset", "drift", "correlation", "next best"].map((title) => (

@@ -34,7 +34,7 @@ function Verdict({ of }: { of: Assessed }) {
   );
 }
 
-function CriterionRow({ one }: { one: Criterion }) {
+export function CriterionRow({ one }: { one: Criterion }) {
   return (
     <tr>
       <th scope="row">{one.title}</th>
@@ -83,7 +83,7 @@ function Criteria({ of }: { of: Assessed }) {
   );
 }
 
-function Numbers({ rows, names, title }: { rows: NumberRow[]; names: string[]; title: string }) {
+export function Numbers({ rows, names, title }: { rows: NumberRow[]; names: string[]; title: string }) {
   const id = `numbers-${title.replaceAll(" ", "-")}`;
   return (
     <div class="wide" tabIndex={0} role="region" aria-labelledby={id}>

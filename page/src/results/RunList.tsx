@@ -1,6 +1,7 @@
 /** Runs of the folder to tick, where a panel has none to show. */
 import { project } from "../state/project.ts";
 import { ticked } from "../state/selection.ts";
+import { listed, namesOf } from "./named.ts";
 import { Nothing } from "./State.tsx";
 
 function toggle(path: string): void {
@@ -25,14 +26,16 @@ export function NoRun({ then }: { then: string }) {
 
 export function RunList({ measured = false }: { measured?: boolean }) {
   const view = project.value;
-  const paths = [...(view?.runs ?? []), ...(measured ? (view?.measured ?? []) : [])].map((one) => one.path);
+  if (!view) return null;
+  const names = namesOf(view);
+  const paths = [...listed(view.runs), ...(measured ? view.measured : [])].map((one) => one.path);
   if (!paths.length) return null;
   return (
     <ul class="run-list" aria-label={measured ? "Runs and measurements" : "Runs"}>
       {paths.map((path) => (
         <li key={path}>
           <label>
-            <input type="checkbox" checked={ticked.value.includes(path)} onChange={() => toggle(path)} /> {path}
+            <input type="checkbox" checked={ticked.value.includes(path)} onChange={() => toggle(path)} /> <span title={path}>{names.get(path)}</span>
           </label>
         </li>
       ))}

@@ -4,7 +4,8 @@ import { ask } from "../connection/http.ts";
 import { complain, say } from "../shell/messages.ts";
 import { show } from "../shell/panels.ts";
 import { ticked } from "../state/selection.ts";
-import { shownRun } from "./which.ts";
+import { chosenMeasured } from "./measuredAs.ts";
+import { baseline, shownRun } from "./which.ts";
 
 const ENDINGS = [".csv", ".tsv", ".txt", ".dat", ".asc"];
 /** A file is held over the page. */
@@ -12,8 +13,25 @@ export const held = signal(false);
 
 export const isMeasured = (name: string): boolean => ENDINGS.some((ending) => name.toLowerCase().endsWith(ending));
 
+/** Compare measured files with the run that is shown, and with nothing else. */
+export function compareMeasured(paths: string[]): void {
+  const run = shownRun.peek();
+  ticked.value = run === null ? paths : [run, ...paths];
+  baseline.value = run;
+  chosenMeasured.value = paths.at(-1) ?? null;
+  show("compare");
+}
+
+/** Show how a measured file was measured; one that is not ticked is compared with the run that is shown. */
+export function openMeasured(path: string): void {
+  if (!ticked.peek().includes(path)) return compareMeasured([path]);
+  chosenMeasured.value = path;
+  show("compare");
+}
+
 /** Keep files in the folder, and compare the run that is shown with them. */
 export async function take(files: Iterable<File>): Promise<void> {
+  const taken: string[] = [];
   for (const file of files) {
     if (!isMeasured(file.name)) {
       say("warning", `${file.name} is no measurement: a file that ends in ${ENDINGS.join(", ")} is expected.`);
@@ -21,15 +39,12 @@ export async function take(files: Iterable<File>): Promise<void> {
     }
     try {
       const { path } = await ask<{ path: string }>("measured", { method: "POST", raw: file, query: { name: file.name } });
-      const run = shownRun.peek();
-      const before = ticked.peek();
-      const runs = run && !before.includes(run) ? [run, ...before] : before;
-      ticked.value = runs.includes(path) ? runs : [...runs, path];
-      show("compare");
+      taken.push(path);
     } catch (error) {
       complain(error);
     }
   }
+  if (taken.length) compareMeasured(taken);
 }
 
 /** Take files that are dropped anywhere on the page. */

@@ -1,4 +1,5 @@
 /** What the server tells of runs and comparisons: the content of reports, as texts. */
+import type { Complaint } from "../connection/http.ts";
 import type { Section } from "../charts/figure.ts";
 
 export type State = "met" | "missed" | "open";
@@ -93,6 +94,12 @@ export interface Comparison {
   differences_read: string;
   numbers_read: string;
   placement_reads: string;
+  /** Name of the run that measurements lie on; null where there is none. */
+  placed_on: string | null;
+  /** What became better and worse of each run but the first, a sentence each. */
+  changes: string[];
+  /** What is compared, in m. */
+  section_m: [number, number];
   bands_read: string;
   acceptance_reads: string;
   left_out: string;
@@ -111,6 +118,8 @@ export interface Place {
 }
 
 export interface Explanation {
+  /** Why there is none; then there is nothing else. */
+  refused?: Complaint;
   sentences: string[];
   notes: string[];
   section_m: [number, number];

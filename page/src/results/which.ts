@@ -1,5 +1,5 @@
 /** The run that panels of results show: the one in the player, else the one that was ticked last. */
-import { computed } from "@preact/signals";
+import { computed, signal } from "@preact/signals";
 import { project, type RunEntry } from "../state/project.ts";
 import { source, ticked } from "../state/selection.ts";
 
@@ -10,6 +10,9 @@ export const shownRun = computed<string | null>(() => {
   const runs = new Set(project.value?.runs.map((one) => one.path));
   return ticked.value.filter((path) => runs.has(path)).at(-1) ?? null;
 });
+
+/** The run that others are compared with; null: the oldest of those that are ticked. */
+export const baseline = signal<string | null>(null);
 
 /** What the list of runs says of it. */
 export const entryOf = (path: string | null): RunEntry | undefined =>

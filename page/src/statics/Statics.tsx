@@ -9,6 +9,7 @@ import { followForm, form } from "../editor/formData.ts";
 import { patch } from "../editor/patch.ts";
 import { canRun, run } from "../project/running.ts";
 import { fields as scenarioFields } from "../project/scenarioFields.ts";
+import { withUnit } from "../project/words.ts";
 import { complain, say } from "../shell/messages.ts";
 import { show } from "../shell/panels.ts";
 import { changes } from "../state/changes.ts";
@@ -18,13 +19,14 @@ import { askPart, frequencies, isAsking, isTrying, now, ofFile, tried, wanted, t
 import { Chart } from "./Chart.tsx";
 import { fieldsOf, firstSliders, numbersOf, PRESAG, presagScale, sliderBy, written, type Slider } from "./sliders.ts";
 import "./statics.css";
-import { DropperTable, difference, SupportTable } from "./Tables.tsx";
+import { allowance, DropperTable, difference, SupportTable } from "./Tables.tsx";
 
 /** Sliders by file, in their order; without an entry the first ones. */
 const chosen = signal<Record<string, string[]>>({});
 /** Where sliders stand, by identity. */
 const standing = signal<Record<string, number>>({});
-const allowance = signal("0 mm");
+/** Why the last schedule could not be written. */
+const refused = signal("");
 
 const groups = () => (form.value?.path === opened.value?.path ? (form.value?.groups ?? []) : []);
 const ids = () => chosen.value[opened.value?.path ?? ""] ?? firstSliders(groups());
@@ -82,12 +84,13 @@ const named = computed(() => {
 });
 
 async function download(): Promise<void> {
+  refused.value = "";
   try {
     const found = await askPart<{ schedule: string; errors: Complaint[] }>("schedule", {
-      allowance: allowance.peek().trim() || "0 mm",
+      allowance: withUnit(allowance.peek() || "0", "0 mm"),
     });
-    const [refused] = found.errors;
-    if (refused) return say("error", refused.text);
+    const [complaint] = found.errors;
+    if (complaint) return void (refused.value = complaint.text);
     const { schedule } = found;
     const address = URL.createObjectURL(new Blob([schedule], { type: "text/csv" }));
     // What is tried is not in the file: a schedule of it must not pass for that of the line.
@@ -95,6 +98,7 @@ async function download(): Promise<void> {
     const link = Object.assign(document.createElement("a"), { href: address, download });
     link.click();
     URL.revokeObjectURL(address);
+    say("note", `Dropper schedule written: ${download}, among the downloads of the browser.`);
   } catch (error) {
     complain(error);
   }
@@ -258,12 +262,15 @@ function Numbers({ found, before }: { found: AtRest; before: AtRest | null }) {
 function Schedule() {
   if (!now.value?.droppers?.length) return null;
   return (
-    <p class="acts">
-      <label>
-        Allowance for fittings{" "}
-        <input size={8} value={allowance.value} onInput={(event) => (allowance.value = event.currentTarget.value)} />
-      </label>
-      <button onClick={() => void download()}>Dropper schedule as CSV</button>
-    </p>
+    <>
+      <p class="acts">
+        <label>
+          Allowance for fittings, mm{" "}
+          <input size={8} value={allowance.value} onInput={(event) => (allowance.value = event.currentTarget.value)} />
+        </label>
+        <button onClick={() => void download()}>Dropper schedule as CSV</button>
+      </p>
+      {refused.value && <p class="problem" role="alert">{refused.value}</p>}
+    </>
   );
 }

@@ -1,5 +1,5 @@
 /** Droppers of a span, and supports, with what changed against the file. Numbers are in SI but mm. */
-import { computed } from "@preact/signals";
+import { computed, signal } from "@preact/signals";
 import { cursor, selected } from "../state/selection.ts";
 import { now, ofFile, type DropperRow } from "./asking.ts";
 
@@ -23,6 +23,15 @@ export function difference(value: number | null | undefined, before: number | nu
   return Number(text) > 0 ? `+${text}` : text.replace("-", "−");
 }
 
+/** Length that the fittings of a dropper take beyond its unstretched length, as typed; bare numbers are mm. */
+export const allowance = signal("0");
+
+/** What is typed in mm; null where it is no such number, or has another unit: the schedule has it alone. */
+export function millimetres(typed: string): number | null {
+  const [, text] = /^\s*(\d+\.?\d*|\.\d+)?\s*(?:mm)?\s*$/.exec(typed) ?? [];
+  return text === undefined ? (typed.trim() === "" ? 0 : null) : Number(text);
+}
+
 const number = (value: number | null | undefined, digits: number) =>
   value === null || value === undefined ? "–" : value.toFixed(digits).replace("-", "−");
 
@@ -38,6 +47,7 @@ export function DropperTable() {
   const own = found.droppers.filter((one) => one.span === span);
   const old = new Map((before?.droppers ?? []).map((one): [string, DropperRow] => [one.name, one]));
   const changed = before !== found && before !== null;
+  const fittings = millimetres(allowance.value);
   return (
     <section aria-label="Droppers">
       <label>
@@ -59,6 +69,7 @@ export function DropperTable() {
               <th scope="col">Length between clamps m</th>
               {changed && <th scope="col">Change mm</th>}
               <th scope="col">Unstretched length m</th>
+              {fittings !== null && <th scope="col">Cut length m</th>}
               <th scope="col">Force at rest N</th>
               {changed && <th scope="col">Change N</th>}
             </tr>
@@ -78,6 +89,7 @@ export function DropperTable() {
                   <td>{number(one.length_m, 4)}</td>
                   {changed && <td>{difference(1e3 * one.length_m, was && 1e3 * was.length_m, 1)}</td>}
                   <td>{number(one.unstretched_length_m, 4)}</td>
+                  {fittings !== null && <td>{number(one.unstretched_length_m + 1e-3 * fittings, 4)}</td>}
                   <td>{one.force_N === 0 ? "slack" : number(one.force_N, 1)}</td>
                   {changed && <td>{difference(one.force_N, was?.force_N, 1)}</td>}
                 </tr>

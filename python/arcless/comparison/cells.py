@@ -4,6 +4,7 @@ from pathlib import Path
 
 from arcless.assess import NOT_JUDGED, Assessment
 from arcless.comparison.alignment import Alignment
+from arcless.comparison.alignment.place import POOR_CORRELATION
 from arcless.comparison.indicators import Indicator, Judged
 from arcless.comparison.measured.acceptance import Accepted
 from arcless.comparison.measured.bands import Band
@@ -23,6 +24,8 @@ WAYS = {
     "none": "as they are",
     "reference": "others are placed on it",
 }
+# In place of the next best correlation, where the search found one maximum.
+NO_OTHER = "no other place in the search"
 # Stands once in each report; 26.6 less 23.7 may well be 3.0.
 DIFFERENCES_READ = "Differences to the first run, {}, are of the unrounded numbers."
 IN_MEMORY = "in memory, no file"
@@ -120,11 +123,14 @@ def alignment(by: Alignment) -> tuple[str, str, str, str, str]:
     if by.method == "reference":
         return WAYS[by.method], NONE, NONE, NONE, NONE
     drift = f"{signed(1e3 * (by.scale - 1.0), 2)}\u00a0m/km" if by.scale != 1.0 else NONE
-    following = NONE
+    following = NO_OTHER if by.correlation is not None else NONE
     if by.next_correlation is not None and by.next_offset_m is not None:
         following = (
             f"{number(by.next_correlation, 3)} at {signed(by.next_offset_m, 1)}\u00a0m"
             f"{', not sure' if by.ambiguous else ''}"
         )
     way, offset = WAYS[by.method].format(by.channel), f"{signed(by.offset_m, 2)}\u00a0m"
-    return way, offset, drift, number(by.correlation, 3), following
+    alike = number(by.correlation, 3)
+    if by.correlation is not None and by.correlation < POOR_CORRELATION:
+        alike = f"{alike}, poor"
+    return way, offset, drift, alike, following

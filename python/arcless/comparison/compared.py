@@ -11,7 +11,14 @@ from arcless.comparison.indicators import Indicator, Judged, indicators, judged
 from arcless.comparison.measured.acceptance import Accepted, acceptance
 from arcless.comparison.measured.bands import Band, bands_of
 from arcless.comparison.measured.placing import Aligning
-from arcless.comparison.subjects.runs import Slot, Subject, matched, names_of, short_names
+from arcless.comparison.subjects.runs import (
+    Slot,
+    Subject,
+    check_names,
+    matched,
+    names_of,
+    short_names,
+)
 from arcless.comparison.subjects.sides import Side, sides_of
 from arcless.results import Result
 from arcless.storage.digests import short_digest
@@ -74,6 +81,15 @@ class Compared:
         """Their files; None for a run that is in memory."""
         return tuple(one.file for one in self.sides)
 
+    @property
+    def placed_on(self) -> str | None:
+        """Name of the run that measurements lie on; None without a measurement or without a run."""
+        if all(one.placed is None for one in self.sides):
+            return None
+        runs = [name for name, one in zip(self.names, self.sides, strict=True)
+                if one.placed is None]  # fmt: skip
+        return runs[0] if runs else None
+
     def to_dict(self) -> dict[str, Any]:
         """Return the comparison as plain values, ready for JSON; see docs/guide/compare.md."""
         return {
@@ -116,15 +132,26 @@ class Compared:
 
 
 def data_of(
-    subjects: Sequence[Subject], files: Sequence[Path | None], how: Aligning
+    subjects: Sequence[Subject],
+    files: Sequence[Path | None],
+    how: Aligning,
+    called: Sequence[str] | None = None,
 ) -> dict[str, Any]:
-    """Return the parts of a comparison of runs and measurements by their names."""
+    """Return the parts of a comparison of runs and measurements by their names.
+
+    Raises
+    ------
+    ComparisonError
+        The names that are given are not one for each, or two are the same; else as of `sides_of`.
+    """
+    if called is not None:
+        check_names(called, len(subjects))
     slots, by_name = matched(subjects)
     sides = sides_of(subjects, files, slots, how)
     fields = _fields(subjects)
     words = _words(fields[0], subjects) if len(fields) == 1 else None
-    full_names = names_of(subjects, files, words)
-    names = short_names(full_names, subjects)
+    full_names = list(called or names_of(subjects, files, words))
+    names = list(called or short_names(full_names, subjects))
     assessments = [one.assessment for one in sides]
     return {
         "names": tuple(names),

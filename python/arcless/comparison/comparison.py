@@ -117,6 +117,7 @@ def compare(
     runs: Subject | str | Path | Sequence[Subject | str | Path],
     *more: Subject | str | Path,
     aligning: Aligning | None = None,
+    names: Sequence[str] | None = None,
 ) -> Comparison:
     """Compare runs and measurements with the first of them.
 
@@ -127,12 +128,15 @@ def compare(
         measurements, or CSV files of measurements.
     aligning
         How measurements are put on the line of the first run; by correlation without.
+    names
+        What runs and measurements are called in tables and figures, each by another name; without,
+        names of scenarios, folders and files, or what differs between the runs.
 
     Raises
     ------
     ComparisonError
-        There are fewer than two, one is there twice, one is not a finished run, or a measurement
-        cannot be aligned.
+        There are fewer than two, names are too many, too few or twice the same, one is there
+        twice, one is not a finished run, or a measurement cannot be aligned.
     MeasurementError
         A CSV file is no measurement, or too little of it is left in the section.
     ResultFormatError
@@ -140,4 +144,4 @@ def compare(
     """
     first = [runs] if isinstance(runs, str | Path | Result | Measurement) else list(runs)
     subjects, files = opened([*first, *more])
-    return Comparison(**data_of(subjects, files, aligning or Aligning()))
+    return Comparison(**data_of(subjects, files, aligning or Aligning(), names))

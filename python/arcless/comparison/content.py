@@ -4,6 +4,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from arcless.comparison import cells
+from arcless.comparison.change_words import change_words
 from arcless.comparison.compared import Compared
 from arcless.comparison.indicators import Indicator
 from arcless.figures.description import Figure
@@ -64,11 +65,13 @@ def comparison_content(
         "verdicts": _verdicts(compared),
         "several": len(compared.pantographs) > 1,
         "placement": _placement(compared),
+        "placed_on": compared.placed_on,
         "bands": _bands(compared),
         "acceptance": _acceptance(compared),
         "simulated": sum(one.result is not None for one in compared.sides),
         "main": _rows([one for one in compared.indicators if one.key in cells.MAIN], compared),
         "numbers": _rows(compared.indicators, compared),
+        "changes": change_words(compared),
         "differences_read": cells.DIFFERENCES_READ.format(compared.names[0]),
         "numbers_read": NUMBERS_READ,
         "placement_reads": PLACEMENT_READS,

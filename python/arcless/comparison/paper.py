@@ -104,7 +104,7 @@ def _summary(content: Mapping[str, Any]) -> list[Block]:
         blocks.append(Points(content["warnings"], "To keep in mind"))
     if content["placement"]:
         blocks += [
-            Heading("Positions of the measurements"),
+            Heading(f"Positions of the measurements{_on(content)}"),
             _placement(content),
             Paragraph(content["placement_reads"], soft=True),
         ]
@@ -165,6 +165,10 @@ def _criteria(content: Mapping[str, Any]) -> Table:
         for row in content["verdicts"]
     ]  # fmt: skip
     return Table([*_heads(content, Column("criterion", 1.8), *of), Column("unit")], cells)
+
+
+def _on(content: Mapping[str, Any]) -> str:
+    return "" if content["placed_on"] is None else f", on the line of {content['placed_on']}"
 
 
 def _placement(content: Mapping[str, Any]) -> Table:

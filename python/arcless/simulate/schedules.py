@@ -114,7 +114,11 @@ def dropper_schedule(
     if allowance_m is not None:
         cut = [dropper["unstretched_length_m"] + allowance_m for dropper in droppers]
         columns.append(_column("cut length", "m", cut))
-    return [*columns, *_columns(droppers, {"force_N": ("force at rest", "N")})]
+    columns += _columns(droppers, {"force_N": ("force at rest", "N")})
+    # The support before a span has the number of the span: both are counted along the track.
+    supports = line.equilibrium.support_places()
+    along = [dropper["x_m"] - supports[dropper["span"] - 1] for dropper in droppers]
+    return [*columns, _column("distance from support", "m", along)]
 
 
 def support_schedule(line: "InitialConfiguration") -> list[Column]:

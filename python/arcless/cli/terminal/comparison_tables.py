@@ -116,7 +116,8 @@ def placement(compared: "Comparison") -> list[Table]:
               if one.placed is not None]  # fmt: skip
     if not placed:
         return []
-    made = _table("Positions of measurements", "measurement", "placed by",
+    on = "" if compared.placed_on is None else f", placed on {compared.placed_on}"
+    made = _table(f"Positions of measurements{on}", "measurement", "placed by",
                   heads=("offset", "drift", "correlation", "next best"), right=True)  # fmt: skip
     for name, one in placed:
         several = len(one.alignments) > 1

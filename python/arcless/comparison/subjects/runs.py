@@ -10,6 +10,7 @@ from arcless.errors import ComparisonError
 from arcless.measurements import Measurement, is_measured, read
 from arcless.results import RESULT_NAME, Result, run_file
 from arcless.results import open as open_result
+from arcless.units import show
 
 Subject: TypeAlias = Result | Measurement
 FEWEST = 2
@@ -86,6 +87,23 @@ def _file_of(one: Subject | str | Path) -> Path | None:
     if isinstance(one, Measurement):
         return one.path
     return Path(one) if is_measured(Path(one)) else run_file(one)
+
+
+def check_names(names: Sequence[str], count: int) -> None:
+    """Refuse names that are not one for each of so many runs, or do not tell them apart.
+
+    Raises
+    ------
+    ComparisonError
+        They are none.
+    """
+    if len(names) == count == len({*names}) and all(names):
+        return
+    raise ComparisonError(
+        "names of runs",
+        got=", ".join(map(show, names)) or "none",
+        expected=f"{count}, each another one",
+    )
 
 
 def names_of(

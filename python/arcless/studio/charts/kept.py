@@ -1,7 +1,7 @@
 """Things made of files, kept while the files stay as they are and memory allows."""
 
 from collections import OrderedDict
-from collections.abc import Callable
+from collections.abc import Callable, Hashable
 from pathlib import Path
 from threading import RLock
 from typing import Generic, Protocol, TypeVar
@@ -24,7 +24,7 @@ class Weighed(Protocol):
 Thing = TypeVar("Thing", bound=Weighed)
 # Path, and what of a file changes when it is written: its number on the disk, size, and time.
 FileIdentity = tuple[str, int, int, int]
-Identity = tuple[FileIdentity, ...]
+Identity = tuple[tuple[FileIdentity, ...], tuple[tuple[str, Hashable], ...]]
 
 
 def identity(file: Path) -> FileIdentity:
@@ -62,16 +62,16 @@ class Kept(Generic[Thing]):
         self._making: dict[Identity, RLock] = {}
         self._lock = RLock()
 
-    def of(self, *files: Path) -> Thing:
-        """Return what is made of files, as they are now."""
-        key = tuple(identity(one) for one in files)
+    def of(self, *files: Path, **how: Hashable) -> Thing:
+        """Return what is made of files, as they are now, and of what else its maker is told."""
+        key = tuple(identity(one) for one in files), tuple(sorted(how.items()))
         with self._lock:
             mine = self._making.setdefault(key, RLock())
         with mine:
             try:
                 with self._lock:
                     known = self._things.get(key)
-                thing = self._make(*files) if known is None else known
+                thing = self._make(*files, **how) if known is None else known
             finally:
                 with self._lock:
                     self._making.pop(key, None)
@@ -83,9 +83,9 @@ class Kept(Generic[Thing]):
 
     def _forget(self, newest: Identity) -> None:
         """Forget earlier states of the newest files, then the oldest things beyond the memory."""
-        paths = [one[0] for one in newest]
+        paths = [one[0] for one in newest[0]]
         for key in list(self._things):
-            if key != newest and [one[0] for one in key] == paths:
+            if key != newest and [one[0] for one in key[0]] == paths:
                 del self._things[key]
         while (
             len(self._things) > 1 and sum(one.bytes for one in self._things.values()) > self._most

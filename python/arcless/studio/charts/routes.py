@@ -9,12 +9,16 @@ from starlette.requests import Request
 from starlette.responses import Response
 from starlette.routing import BaseRoute
 
+from arcless.assess.rules import ANY_SUPPLY
+from arcless.errors import ArclessError, ExplanationError
+from arcless.measurements import is_measured
 from arcless.storage import hidden_files
-from arcless.studio.answers.answers import Refused, json_body, route
+from arcless.studio.answers.answers import Refused, complaint, json_body, route
 from arcless.studio.charts import asked, assessed, series, space_time
 from arcless.studio.charts.charted_run import ChartedRun
-from arcless.studio.charts.comparing import ChartedComparison, checked
+from arcless.studio.charts.comparing import ChartedComparison, checked, measured_of, names_of
 from arcless.studio.charts.kept import Kept
+from arcless.studio.charts.measured_as import assessed_alone, measured_as
 from arcless.studio.charts.plain.drawable import drawable
 from arcless.studio.project.project import Project
 
@@ -61,7 +65,10 @@ def _of_runs(project: Project, kept: Kept[ChartedRun]) -> list[BaseRoute]:
         def found() -> Any:
             run = of(request)
             with run.lock:
-                return assessed.explained(run)
+                try:
+                    return assessed.explained(run)
+                except ExplanationError as error:  # nothing is wrong with the question
+                    return {"refused": complaint(error), "pantographs": []}
 
         return await run_sync(found)
 
@@ -92,7 +99,9 @@ def _of_comparisons(project: Project, kept: Kept[ChartedComparison]) -> list[Bas
         for file, path in zip(files, question["subjects"], strict=True):
             if not file.is_file():
                 raise Refused(404, f"There is no {path}")
-        found, key = kept.of(*files), question.get("figure")
+        names = names_of(question)
+        found = kept.of(*files, names=names, measured=measured_of(question, question["subjects"]))
+        key = question.get("figure")
         if key is None:
             return found.told()
         shown = asked.shown(question)
@@ -101,7 +110,20 @@ def _of_comparisons(project: Project, kept: Kept[ChartedComparison]) -> list[Bas
     async def compare(request: Request) -> Any:
         return await run_sync(partial(compared, await json_body(request)))
 
-    return [route("compare", compare, "POST")]
+    def alone(question: dict[str, Any]) -> Any:
+        path, how = question.get("path"), measured_as(question.get("as", {}))
+        file = project.inside(path if isinstance(path, str) else "")
+        if not (is_measured(file) and file.is_file()):
+            raise Refused(404, f"There is no measurement {path}")
+        try:
+            return assessed_alone(file, how)
+        except ArclessError as error:  # the page has a form for what is missing
+            return {"refused": complaint(error), "supplies": list(ANY_SUPPLY)}
+
+    async def measurement(request: Request) -> Any:
+        return await run_sync(partial(alone, await json_body(request)))
+
+    return [route("compare", compare, "POST"), route("measurement", measurement, "POST")]
 
 
 def _exported(run: ChartedRun, ending: str) -> Response:

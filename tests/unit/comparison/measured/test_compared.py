@@ -8,7 +8,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from arcless.comparison import Aligning, Comparison, compare
+from arcless.comparison import Aligning, Comparison, cells, compare
+from arcless.comparison.alignment import Alignment
+from arcless.comparison.content import comparison_content
 from arcless.comparison.measured.acceptance import Tolerance
 from arcless.errors import ComparisonError, MeasurementError
 from arcless.figures.description import Bars, Curve
@@ -373,3 +375,19 @@ def test_plain_values_are_json_and_the_page_stands(file: Path, tmp_path: Path) -
     for words in ("Simulation against line test", "mark C", "third octave about 7.94 Hz",
                   "Comparison of a run and a measurement of synthetic"):  # fmt: skip
         assert words in text, words
+
+
+def test_the_placing_names_its_run_and_says_in_words_how_sure_it_is(file: Path) -> None:
+    found = compare([test_run(file, offset_m=3.0), run()], names=["line test", "simulated"])
+    assert found.names == ("line test", "simulated")
+    assert found.placed_on == "simulated"
+    assert comparison_content(found, found.figures)["placed_on"] == "simulated"
+    by = Alignment("correlation", 0.0, False, 1.0, 1.0, 0.512)
+    *_, alike, following = cells.alignment(by)
+    assert (alike, following) == ("0.512, poor", "no other place in the search")
+    # What was not searched for has no correlation to judge.
+    assert cells.alignment(Alignment("given", 0.0, False, 1.0, 1.0))[3:] == ("–", "–")
+
+
+def test_runs_without_a_measurement_are_placed_on_nothing() -> None:
+    assert compare([run(), run(lambda x: along(x, PERIODIC))]).placed_on is None

@@ -189,3 +189,87 @@ def test_a_run_that_was_computed_anew_is_read_anew(client: TestClient, folder: P
     after = client.get("/api/assessed", params={"run": "runs/c"}).json()
     assert before["numbers"][0][0][2] == ["100.0"]
     assert after["numbers"][0][0][2] == ["150.0"]
+
+
+def test_a_comparison_has_the_names_of_the_page_and_says_what_changed(client: TestClient) -> None:
+    body = {"subjects": ["runs/a", "runs/b"], "names": ["as in the file", "force +10 %"]}
+    told = client.post("/api/compare", json=body).json()
+    assert told["names"] == body["names"]
+    (sentence,) = told["changes"]
+    # The force of the second run is that of the first times 1.1.
+    assert sentence.startswith("force +10 %, compared with as in the file: worse: standard dev")
+    assert "no change beyond the ± or the rounding: contact loss" in sentence
+    assert told["placed_on"] is None
+    turned = {"subjects": body["subjects"][::-1], "names": body["names"][::-1]}
+    (other,) = client.post("/api/compare", json=turned).json()["changes"]
+    assert other.startswith("as in the file, compared with force +10 %: better: standard dev")
+    for names in (["x", "x"], ["x"], ["x", ""], "xy", [1, 2]):
+        assert client.post("/api/compare", json={**body, "names": names}).status_code == 400
+
+
+def sensors(times: np.ndarray) -> str:
+    """A record of sensors below a head of 5 kg, which swings at 3 Hz by 0.4 m/s²."""
+    a = 0.4 * np.sin(2.0 * np.pi * 3.0 * times)
+    rows = zip(times, wave(times) + 5.0 * a, a, strict=True)
+    return "time [s],sensor_force [N],acceleration [m/s2]\n" + "\n".join(
+        ",".join(f"{one:.6f}" for one in row) for row in rows
+    )
+
+
+def test_a_measurement_is_read_as_the_page_says(client: TestClient, folder: Path) -> None:
+    path, file = "measured/sensors.csv", folder / "measured" / "sensors.csv"
+    file.parent.mkdir(exist_ok=True)
+    file.write_text(sensors(np.arange(0.0, 30.0, 0.002)))
+
+    def ask(**given: str) -> dict:
+        found = client.post("/api/measurement", json={"path": path, "as": given})
+        assert found.status_code == 200
+        return found.json()
+
+    assert "speed" in ask()["refused"]["text"]
+    plain, corrected = ask(speed="72 km/h"), ask(speed="72 km/h", head_mass="5 kg")
+    sigma = [
+        float(next(row[2][0] for row in told["numbers"] if row[0].startswith("standard deviation")))
+        for told in (plain, corrected)
+    ]
+    # √(20² + 5²)/√2 N of the wave; (5 kg · 0.4 m/s²)²/2 of the head beside it; numbers to 0.1 N.
+    assert sigma[1] == pytest.approx(np.sqrt(425.0 / 2.0), abs=0.15)
+    assert sigma[0] == pytest.approx(np.sqrt(429.0 / 2.0), abs=0.15)
+    assert {one["verdict"] for one in plain["criteria"]} == {"not judged"}
+    assert "DC 3 kV" in plain["supplies"]
+    for wrong in ({"head_lift": "8 N"}, {"head_mass": "5 N"}, {"head_mass": "0 kg"},
+                  {"supply": "DC 9 kV"}, {"speed": "9 kg"}):  # fmt: skip
+        assert "refused" in ask(**{"speed": "72 km/h", **wrong})
+    for bad in ({"mass": "5 kg"}, {"speed": 5}, {"speed": "5" * 200}, [1]):
+        found = client.post("/api/measurement", json={"path": path, "as": bad})
+        assert found.status_code == 400
+
+
+def test_a_comparison_takes_the_mass_of_the_head(client: TestClient, folder: Path) -> None:
+    file = folder / "measured" / "heads.csv"
+    file.parent.mkdir(exist_ok=True)
+    file.write_text(sensors(np.arange(0.0, 30.0, 0.002)))
+    subjects = ["runs/a", "measured/heads.csv"]
+    given = {"measured/heads.csv": {"speed": "72 km/h", "head_mass": "5 kg"}}
+    body = {"subjects": subjects, "names": ["run", "line test"], "measured": given}
+    told = client.post("/api/compare", json=body).json()
+    assert told["placed_on"] == "run"
+    sigma = next(one for one in told["main"] if one["label"].startswith("standard deviation"))
+    first, second = (float(one[0]) for one in sigma["cells"])
+    # The same force: what is left is where the section ends.
+    assert second == pytest.approx(first, rel=0.02)
+    assert told["changes"] == []
+    refused = client.post("/api/compare", json={**body, "measured": [1]})
+    assert refused.status_code == 400
+
+
+def test_a_run_that_is_too_short_is_not_explained_and_says_why(
+    client: TestClient, folder: Path
+) -> None:
+    place = folder / "runs" / "constant"
+    place.mkdir()
+    save(synthetic_dataset(force=lambda t: np.full_like(t, 150.0)), place / "result.nc")
+    found = client.get("/api/explain", params={"run": "runs/constant"})
+    assert found.status_code == 200
+    assert found.json()["pantographs"] == []
+    assert found.json()["refused"]["text"]

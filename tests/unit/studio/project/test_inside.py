@@ -68,6 +68,7 @@ QUESTIONS: dict[str, Question] = {
     "compare": lambda client, path: sent(
         client, "post", "/api/compare", {"subjects": [path, path]}
     ),
+    "measurement": lambda client, path: sent(client, "post", "/api/measurement", {"path": path}),
     "runs": lambda client, path: sent(
         client, "post", "/api/runs", {"scenario": path, "changes": {}}
     ),
