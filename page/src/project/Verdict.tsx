@@ -12,7 +12,6 @@ import { scenario } from "../state/selection.ts";
 import type { Assessed } from "../results/told.ts";
 import { entryOf, shownRun, versionOf } from "../results/which.ts";
 import { show } from "../shell/panels.ts";
-import { nameOf } from "./running.ts";
 import { markOf, runWords } from "./standing.ts";
 import { leadingWords, verdictOf } from "./words.ts";
 
@@ -58,7 +57,10 @@ export function Verdict() {
   const told = assessed.value;
   const { sign, word, state } = verdictOf(entry.verdict);
   const lead = told?.leading && leadingWords(told.leading, told.criteria, told.pantographs.length > 1);
-  const mark = markOf(entry, scenario.value === null ? null : nameOf(scenario.value), changes.value, isCurrent);
+  const view = project.value;
+  // Of one that was just written the name is not known yet.
+  const chosen = [...(view?.models ?? []), ...(view?.library ?? [])].find(({ path }) => path === scenario.value)?.name ?? null;
+  const mark = markOf(entry, chosen, changes.value, isCurrent);
   const name = runWords(entry);
   return (
     <button

@@ -17,7 +17,7 @@ export const runWords = (run: RunEntry): string =>
 
 /**
  * What is said beside the verdict of a run that is not of what the run bar would run now; empty where it
- * is, or where that is not known yet.
+ * is, or where that is not known yet: `scenario` is the name of the one in the bar.
  */
 export function markOf(run: RunEntry, scenario: string | null, changes: Changes, isCurrent: boolean | null): string {
   if (scenario === null) return "";

@@ -1,4 +1,4 @@
-"""What became better and what became worse against the first run, in words."""
+"""Differences between two runs in one sentence: better, worse, the same."""
 
 from typing import TYPE_CHECKING
 

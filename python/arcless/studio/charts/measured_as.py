@@ -1,4 +1,4 @@
-"""What a measured file does not say, as the page gives it: speed, supply, head mass."""
+"""Data that a measured file does not have, as the page gives them: speed, supply, head mass."""
 
 from dataclasses import dataclass, fields
 from pathlib import Path
