@@ -73,7 +73,9 @@ def workers(server: Server) -> list[int]:
 def test_the_server_is_killed_while_a_run_steps(folder: Path, tmp_path: Path) -> None:
     with Server(folder, tmp_path) as server:
         job = begin(server, SLOW)
-        wait_for(server, job["id"], lambda one: one["doing"].startswith("stepping") or has_ended(one))
+        wait_for(
+            server, job["id"], lambda one: one["doing"].startswith("stepping") or has_ended(one)
+        )
         others = workers(server)
         assert others
         server.process.kill()
@@ -94,7 +96,9 @@ def test_the_server_is_killed_while_a_run_steps(folder: Path, tmp_path: Path) ->
 def test_a_killed_worker_is_a_failed_job(folder: Path, tmp_path: Path) -> None:
     with Server(folder, tmp_path) as server:
         job = begin(server, SLOW)
-        wait_for(server, job["id"], lambda one: one["doing"].startswith("stepping") or has_ended(one))
+        wait_for(
+            server, job["id"], lambda one: one["doing"].startswith("stepping") or has_ended(one)
+        )
         for process in workers(server):
             os.kill(process, signal.SIGKILL)
         ended = wait_for(server, job["id"], has_ended)

@@ -37,4 +37,5 @@ def test_the_size_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> No
     scenario = "en50318-ac-simple-320-planar"
     words = ["run", scenario, "--set", "output.motion=true", "--no-report"]
     done = CliRunner().invoke(app, [*words, "--until", "150 m"])
-    assert re.search(r"the motion of the wires is recorded: [\d.]+ MB", done.stderr), done.stderr
+    told = r"the motion of the wires is recorded every 10 ms: [\d.]+ MB"
+    assert re.search(told, done.stderr), done.stderr

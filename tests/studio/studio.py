@@ -154,6 +154,11 @@ class Window(Tab):
         """Click once it can be clicked."""
         self("click", selector, {"timeout": PATIENCE})
 
+    def part(self, title: str) -> None:
+        """Show a part of the window, where it is one of a phone, which shows one at a time."""
+        if self.js("getComputedStyle(document.querySelector('nav.parts')).display !== 'none'"):
+            self.click(f'nav.parts >> text="{title}"')
+
     def type(self, text: str, into: str | None = None) -> None:
         """Type where the focus is, or instead of what is in a field."""
         if into is None:

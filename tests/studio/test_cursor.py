@@ -70,8 +70,11 @@ def test_a_cursor_in_a_strip_stands_in_drawing_charts_and_tables(page: Window) -
     page("mouse.move", left + width - 20, top + height / 2)
     page.until("document.querySelector('.statics tr.at-cursor th').innerText.startsWith('span 20')")
     page.click('role=tab[name="Line"]')
-    page.wait(TOLD)
-    assert position(page) > 19 * 55
+    page.wait(".line-view.side canvas")
+    assert page.text(TOLD) == "", "nobody points at the line"
+    page("focus", ".line-view.side canvas")
+    page.press("ArrowRight")
+    assert position(page) > 19 * 55, "keys go on from where the cursor was"
 
 
 def test_a_dropper_that_is_clicked_is_selected_everywhere(page: Window) -> None:
@@ -111,7 +114,16 @@ def test_a_worst_place_leads_the_player_there_a_second_before(page: Window) -> N
     where = f"Number(document.querySelector('{READOUT}').textContent.match(/([\\d.]+) m /)[1])"
     # Positions are told to 0.1 m.
     page.until(f"Math.abs({where} - {wanted}) < 0.2")
-    assert abs(position(page) - place) < 0.1, "the cursor stands at the place itself"
+    number, count, at = re.fullmatch(
+        r"worst place (\d+) of (\d+): \d+ N · ([\d.]+) m", page.text(TOLD)
+    ).groups()  # type: ignore[union-attr]
+    assert 1 <= int(number) <= int(count)
+    assert abs(float(at) - place) < 0.1, "marked is the place itself"
+    left, top, width, height = box(page, ".strips canvas")
+    page("mouse.move", left + 0.7 * width, top + height / 2)
+    position(page)
+    page("mouse.move", left + 0.7 * width, 5)
+    page.until(f"document.querySelector('{TOLD}').innerText.startsWith('worst place')")
 
 
 def test_without_webgl_side_view_and_plan_stay(studio: Start, folder: Path) -> None:

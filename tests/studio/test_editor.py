@@ -105,6 +105,36 @@ def test_fields_change_the_text_and_the_text_the_fields(studio: Start, folder: P
     assert saved(folder, page) == before
 
 
+def test_a_dropper_is_added_and_removed_in_all_lists(studio: Start, folder: Path) -> None:
+    page = opened(studio, folder)
+    before = load_line(folder / FILE).span_types["standard"].droppers
+    rows = "document.querySelectorAll('.droppers tbody tr').length"
+    page.until(f"{rows} === {len(before.positions)}")
+    page.click('[aria-label="Add a dropper after dropper 2"]')
+    page.wait("text=half way between its neighbours")
+    page.until(f"{rows} === {len(before.positions) + 1}")
+    saved(folder, page)
+    added = load_line(folder / FILE).span_types["standard"].droppers
+    assert added.positions[2] == pytest.approx(sum(before.positions[1:3]) / 2, abs=0.01)
+    assert before.presag is not None
+    assert added.presag is not None
+    assert added.presag[2] == pytest.approx(sum(before.presag[1:3]) / 2, abs=1e-4)
+    page.click('[aria-label="Remove dropper 3"]')
+    page.until(f"{rows} === {len(before.positions)}")
+    saved(folder, page)
+    after = load_line(folder / FILE).span_types["standard"].droppers
+    assert (after.positions, after.presag) == (before.positions, before.presag)
+
+
+def test_an_error_is_told_once_and_by_the_state_of_the_file(studio: Start, folder: Path) -> None:
+    page = opened(studio, folder)
+    page.type("5 m", into='[aria-label="Position of dropper 3"]')
+    page.press("Tab")
+    page.wait(".problems .error")
+    page.wait(".save-state >> text=Saved, with an error")
+    page.until("document.body.innerText.split('droppers out of order').length === 2")
+
+
 def test_a_text_that_was_changed_elsewhere_is_shown_beside(studio: Start, folder: Path) -> None:
     page = opened(studio, folder)
     yaml(page)

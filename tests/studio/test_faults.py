@@ -54,7 +54,7 @@ def folder(tmp_path: Path) -> Path:
 
 def begun(page: Window) -> None:
     """Begin the run of the chosen scenario, and wait until it steps and is played."""
-    page.wait("button.run:not([disabled])")
+    page.wait("button.run:not([aria-disabled=true])")
     page.press("Control+Enter")
     page.wait(".transport .live")
 
@@ -128,7 +128,7 @@ def test_two_tabs_type_in_one_file(studio: Start, folder: Path) -> None:
     one = server.open()
     two = server.open(beside=one)
     for page in (one, two):
-        page.wait("button.run:not([disabled])")
+        page.wait("button.run:not([aria-disabled=true])")
         yaml(page)
     find(one, "160 km/h")
     find(two, "22 kN")
@@ -165,7 +165,7 @@ def test_two_tabs_see_one_run(studio: Start, folder: Path) -> None:
     server = studio(folder)
     one = server.open()
     two = server.open(beside=one)
-    two.wait("button.run:not([disabled])")
+    two.wait("button.run:not([aria-disabled=true])")
     begun(one)
     two.wait(".running progress")
     two.click("text=Watch")
@@ -197,7 +197,7 @@ def copied(tmp_path: Path) -> Path:
 def test_a_part_of_a_page_that_was_updated(browser: Browser, folder: Path, copied: Path) -> None:
     with Studio(browser, folder, page=copied) as server:
         page = server.open()
-        page.wait("button.run:not([disabled])")
+        page.wait("button.run:not([aria-disabled=true])")
         page.type("170 km/h", into=".run-bar .speed")
         page.press("Enter")
         update(copied)
@@ -219,7 +219,7 @@ def test_a_page_that_was_updated_while_the_server_was_away(
 ) -> None:
     with Studio(browser, folder, page=copied) as server:
         page = server.open()
-        page.wait("button.run:not([disabled])")
+        page.wait("button.run:not([aria-disabled=true])")
         yaml(page)
         find(page, "160 km/h")
         server.signal(signal.SIGKILL)
@@ -243,7 +243,7 @@ def test_a_page_that_was_updated_while_the_server_was_away(
 def test_a_run_that_grows_beyond_all_bounds(studio: Start, tmp_path: Path) -> None:
     (tmp_path / "grows.yaml").write_text(GROWS, "utf-8")
     page = studio(tmp_path).open()
-    page.wait("button.run:not([disabled])")
+    page.wait("button.run:not([aria-disabled=true])")
     page.press("Control+Enter")
     page.wait(".messages .error", patience=RUN)
     told = page.text(".messages .error")

@@ -64,6 +64,10 @@ def test_keys_alone_lead_from_a_shipped_line_to_a_verdict(studio: Start, tmp_pat
     page.type(SHIPPED)
     page.until("document.querySelectorAll('.template').length === 1")
     page.press("Tab", "Enter")
+    # Its name is asked for, and can be another one.
+    page.until("document.activeElement.name === 'name'")
+    assert page.js("document.activeElement.value") == COPY
+    page.press("Enter")
     page.wait(".form input")
     page("focus", ".run-bar .speed")
     page.press("Control+a")
@@ -85,7 +89,7 @@ def test_a_variant_is_compared_and_kept(studio: Start, tmp_path: Path) -> None:
     page.press("Enter")
     page.click(".run-bar button.run")
     ran(page, 2)
-    assert page.text(".run-entry .differs") == "speed 300 km/h"
+    assert page.text(".run-entry .differs") == "Speed 300 km/h"
     for place in range(2):
         page("check", f".run-entry input >> nth={place}")
     page.click("role=tab[name=Compare]")
@@ -100,6 +104,48 @@ def test_a_variant_is_compared_and_kept(studio: Start, tmp_path: Path) -> None:
     kept = yaml.safe_load((tmp_path / "faster.yaml").read_text("utf-8"))
     assert kept["base"] == "line.yaml"
     assert kept["set"] == {"speed": "300 km/h"}
+
+
+def test_a_copied_scenario_is_run_and_a_verdict_says_of_what_it_is(
+    studio: Start, tmp_path: Path
+) -> None:
+    (tmp_path / "short.yaml").write_text(SHORT)
+    arcless("run", tmp_path / "short.yaml", "--quiet", "--no-report", "--out", tmp_path / "runs/a")
+    page = studio(tmp_path).open(DESK)
+    page.click(".run-entry .name")
+    page.wait(".verdict-of .numbers")
+    assert page.text(".verdict-of .of") == "short"
+    assert page.count(".verdict-of .mark") == 0
+    # Values of the bar, and of the file, are others than those of the run.
+    page.type("300 km/h", into=".run-bar .speed")
+    page.press("Enter")
+    page.wait('.verdict-of >> text="of another variant"')
+    page.click('role=button[name="Take back"]')
+    page.wait(".verdict-of .mark", "hidden")
+    (tmp_path / "short.yaml").write_text(SHORT.replace("130 N", "140 N"))
+    page.wait('.verdict-of >> text="outdated: changed since"')
+    # A copy of a shipped scenario is the one that is run, whatever was before.
+    page.click('nav >> role=button[name="New …"]')
+    page.type(SHIPPED, into=".start .search")
+    page.until("document.querySelectorAll('.template').length === 1")
+    page.click(".template .name")
+    page.type("mine", into=".copy-form input")
+    page.press("Enter")
+    page.until("document.querySelector('.run-bar .scenario select').value === 'mine.yaml'")
+    page.wait('.verdict-of >> text="of another scenario"')
+    assert page.axe() == []
+    # A line that is open and not part of it is seen; a click on the scenario chooses it.
+    page.click('nav >> text="mine-line"')
+    assert page.count(".beside") == 0
+    page.click('nav >> text="short" >> nth=0')
+    page.click('nav >> text="mine-line"')
+    page.wait(".beside")
+    page.click('role=button[name="Open the scenario"]')
+    page.wait(".beside", "hidden")
+    # What is ticked and played is there after the page was read anew.
+    page("reload")
+    page.wait(".run-entry input:checked, .run-entry.here")
+    page.wait('.verdict-of >> text="outdated: changed since"')
 
 
 def test_a_slider_becomes_a_variant_and_a_schedule_of_droppers(
@@ -134,7 +180,7 @@ def test_a_slider_becomes_a_variant_and_a_schedule_of_droppers(
     assert file.read_text("utf-8") == before
     page.click("role=tab[name=Compare]")
     page.wait("main table")
-    assert "line.contact_wire.tension" in page.text("main [role=tabpanel]")
+    assert "Line contact wire: tension" in page.text("main [role=tabpanel]")
 
 
 def test_a_study_finds_a_better_variant_which_is_run(studio: Start, tmp_path: Path) -> None:

@@ -42,6 +42,7 @@ def folder(tmp_path: Path) -> Path:
 def begun(studio: Start, folder: Path, size: dict[str, int] = DESK) -> Window:
     """Return a window with a session that runs."""
     page = studio(folder).open(size)
+    page.part("Project")
     page.click('nav >> text="line" >> nth=0')
     page.click('role=tab[name="Hands on"]')
     page.click('role=button[name="Start the session"]')

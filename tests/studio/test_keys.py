@@ -98,3 +98,44 @@ def test_keys_are_letters_in_fields_and_in_the_editor(page: Window) -> None:
     page.click(".yaml .cm-content")
     page.press(*keys)
     assert page.js(state) == before
+
+
+def test_the_tree_by_keys(page: Window) -> None:
+    page.press("Control+b")
+    page.until("document.activeElement.closest('nav.left') !== null")
+    name = "document.activeElement.closest('.run-entry') !== null"
+    for _ in range(20):
+        page.press("ArrowDown")
+        if page.js(name):
+            break
+    box = page.js("document.activeElement.closest('.run-entry').querySelector('input').ariaLabel")
+    title = page.text(".run-entry .run-title")
+    assert box.startswith(f"Overlay {title}")
+    ticked = "document.querySelector('.run-entry input').checked"
+    was = page.js(ticked)
+    page.press("Space")
+    page.until(f"{ticked} !== {str(was).lower()}")
+    page.press("Control+b")
+    page.wait("nav.left", "hidden")
+
+
+def test_the_palette_has_what_is_typed_at_once(page: Window) -> None:
+    before = page.js(HEIGHTS)
+    # Without waiting for anything: all keys in one task of the page.
+    page.js(
+        "for (const [key, ctrlKey] of [['k', true], ...[...'heights'].map((one) => [one, false])])"
+        " document.activeElement.dispatchEvent(new KeyboardEvent('keydown',"
+        " {key, ctrlKey, bubbles: true, cancelable: true}))"
+    )
+    page.wait("dialog [role=option]")
+    page.until("document.activeElement.matches('dialog input')")
+    assert page.js("document.activeElement.value") == "heights"
+    assert page.js(HEIGHTS) == before
+    page.press("Escape")
+
+
+def test_the_focus_stays_where_a_run_was_begun(page: Window) -> None:
+    page.click(".run-bar .speed")
+    page.press("Control+Enter")
+    page.until("known.opened === 2")
+    assert page.js("document.activeElement.matches('.run-bar .speed')")

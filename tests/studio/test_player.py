@@ -41,6 +41,7 @@ def until(page: Window, expression: str) -> None:
 
 def opened(studio: Start, folder: Path, size: Any = DESK, more: str = "") -> Window:
     found = studio(folder).open(size, before=KNOWN.read_text("utf-8") + more)
+    found.part("Project")
     found.click(".run-entry button.name")
     found.wait(".transport")
     until(found, f"document.querySelector('{READOUT}').textContent.includes('100.0 m')")
@@ -130,3 +131,32 @@ def test_the_motion_of_a_stored_run_is_computed(studio: Start, tmp_path: Path) -
     found.click("text=Compute motion")
     found.wait(".motion-tools >> text=no recorded motion", "hidden")
     assert [one.name for one in place.iterdir()] == ["result.nc"]
+
+
+def test_a_phone_shows_one_part_and_below_it_the_player_in_one_row(
+    studio: Start, folder: Path
+) -> None:
+    found = opened(studio, folder, PHONE)
+    assert found.count(".body[data-part=main]") == 1, "a run that is opened is seen"
+    box = (
+        "(({{top, bottom, height}}) => [top, bottom, height])"
+        "(document.querySelector('{}').getBoundingClientRect())"
+    )
+    parts = found.js(box.format("nav.parts"))
+    bar = found.js(box.format(".transport"))
+    strips = found.js(box.format(".strips"))
+    drawn = found.js(box.format(".line-view.side canvas"))
+    assert parts[1] <= PHONE["height"]
+    assert bar[2] < 60, "one row"  # px: a button of 34 px, spaces, a bar to scroll with
+    assert drawn[2] > 150
+    assert strips[1] <= bar[0] + 1, "strips are not behind the player"
+    assert found.js("document.documentElement.scrollHeight") <= PHONE["height"]
+    found.click("summary >> text=Options")
+    menu = "document.querySelector('.run-bar .pop').getBoundingClientRect()"
+    assert found.js(f"{menu}.right") <= PHONE["width"]
+    found.press("Escape")
+    found.part("Fields")
+    assert found.js("document.querySelector('.slot.right').clientHeight") > 400
+    found.press("Control+b")
+    found.wait("nav.left .run-entry")
+    found.until("document.activeElement.closest('nav.left') !== null")

@@ -147,7 +147,7 @@ def test_ticked_runs_are_overlaid_with_what_differs_alone(
     assert {*names, "support"} == set(legend.split("\n"))
     fields = page.js("""[...document.querySelectorAll('table')].find((one) =>
         one.caption.textContent === 'What differs').tBodies[0].innerText""")
-    assert fields.split("\t") == ["speed", "320 km/h", "300 km/h"]
+    assert fields.split("\t") == ["Speed", "320 km/h", "300 km/h"]
     assert page.axe() == []
 
 

@@ -80,6 +80,25 @@ def test_a_study_is_defined_watched_and_a_variant_opened(studio: Start, folder: 
     assert made.speed == pytest.approx(0.9 * 275 / 3.6)
 
 
+def test_a_study_has_the_changes_of_the_run_bar(studio: Start, folder: Path) -> None:
+    page = studio(folder).open(DESK)
+    page.click('nav >> text="short" >> nth=0')
+    page.type("250 km/h", into=".run-bar .speed")
+    page.press("Enter")
+    page.click('role=tab[name="Studies"]')
+    page.type("contact tension", into=".fields input[type=search]")
+    page.click(".fields label:has-text('contact wire: tension') input")
+    page.wait("text=With the changes of the run bar: Speed 250 km/h")
+    page.wait("text=5 variants")
+    page.click('role=button[name="Save and start"]')
+    page.until(f"{ROWS} === 5")
+    assert study.load(folder / "short-study.yaml").changes == {"speed": "250 km/h"}
+    page.click(".rows tbody tr:nth-child(2)")
+    page.click('role=button[name="Open as scenario"]')
+    page.wait("text=is the scenario short-study-2.yaml")
+    assert arcless.load(folder / "short-study-2.yaml").speed == pytest.approx(250 / 3.6)
+
+
 def test_brushes_by_mouse_and_by_keyboard(studio: Start, folder: Path) -> None:
     page = defining(studio, folder)
     page.click('role=button[name="Save and start"]')
@@ -102,6 +121,14 @@ def test_brushes_by_mouse_and_by_keyboard(studio: Start, folder: Path) -> None:
     page("mouse.move", x, y + 60)
     page("mouse.up")
     page.until(f"{ROWS} === 3")  # the highest tension alone
+    # A click on an axis that is brushed shows all again; the next one picks the nearest point.
+    page("mouse.move", x, y + 40)
+    page("mouse.down")
+    page("mouse.up")
+    page.until(f"{ROWS} === 9")
+    page("mouse.down")
+    page("mouse.up")
+    page.wait(".picked strong")
     page.click(".rows")
     page.press("ArrowDown")
     page.wait(".picked strong")
@@ -134,6 +161,7 @@ outputs: [mean_force_N]
 """
     )
     page = studio(folder).open(PHONE)
+    page.part("Project")
     page.click('nav >> text="short" >> nth=0')
     page.click('role=tab[name="Studies"]')
     page.click('.studies >> role=button[name="Watch"]')
@@ -154,7 +182,7 @@ def test_rows_have_verdicts_and_axes_the_limits_by_word_and_shape(
     record = Record(*_begun(folder))
     wanted = [VERDICTS[code] for code in judge(record).codes]
     assert {"met", "not met"} <= {*wanted}
-    cells = "[...document.querySelectorAll('.rows tbody tr')].map((row) => row.cells[2].innerText)"
+    cells = "[...document.querySelectorAll('.rows tbody tr')].map((row) => row.cells[1].innerText)"
     assert [one[2:] for one in page.js(cells)] == wanted
     heads = page.js(
         "[...document.querySelectorAll('.rows thead th')].map((head) => head.innerText)"
@@ -239,6 +267,7 @@ def test_a_study_with_rows_is_accessible(studio: Start, folder: Path) -> None:
     server = studio(folder)
     for size, dark in itertools.product((DESK, PHONE), (False, True)):
         page = server.open(size, dark=dark)
+        page.part("Project")
         page.click('nav >> text="short" >> nth=0')
         page.click('role=tab[name="Studies"]')
         page.click('.studies >> role=button[name="Watch"]')

@@ -64,6 +64,25 @@ def test_commands_and_keys(empty: Studio) -> None:
     assert page.count("dialog") == 0
 
 
+def test_a_speed_that_is_none_is_refused_where_it_is_typed(studio: Start, tmp_path: Path) -> None:
+    text = "format: arcless-scenario/1\nname: mine\nbase: en50318-ac-simple-275-planar\n"
+    (tmp_path / "mine.yaml").write_text(text)
+    page = studio(tmp_path).open(DESK)
+    run = "document.querySelector('.run-bar button.run')"
+    page.until(f"{run}?.disabled === false")
+    page.type("abc", into=".run-bar .speed")
+    page.press("Tab")
+    page.wait("#speed-problem")
+    assert "abc" in page.text("#speed-problem")
+    assert page.js(f"{run}.disabled && {run}.title.includes('abc')")
+    assert page.count(".variant") == 0
+    assert page.axe() == []
+    page.type("250", into=".run-bar .speed")
+    page.press("Tab")
+    page.wait("text=Variant of mine: speed 250 km/h")
+    page.until(f"{run}.disabled === false")
+
+
 def test_sizes_are_remembered(empty: Studio) -> None:
     page = empty.open()
     page.wait(".start")

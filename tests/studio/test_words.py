@@ -109,14 +109,14 @@ def test_a_line_is_opened_from_statics_and_run_as_a_variant(studio: Start, tmp_p
     before = (tmp_path / "line-line.yaml").read_text("utf-8")
     page = studio(tmp_path).open()
     page.click("role=tab[name=Statics]")
-    page.click('role=button[name="Open the line line-line.yaml"]')
+    page.click('role=button[name="Open the line"]')
     slider = 'input[type=range][id="slider-contact_wire.tension"]'
     page.wait(slider)
     page("focus", slider)
     page.press(*["ArrowRight"] * 5)
     page.click('.statics >> role=button[name="Run as variant"]')
     page.until("document.querySelectorAll('.run-entry').length === 2", RUN)
-    assert page.text(".run-entry .differs") == "line.contact_wire.tension 23 kN"
+    assert page.text(".run-entry .differs") == "Line contact wire: tension 23 kN"
     assert list((tmp_path / "runs").glob("*tension=23_kN"))
     assert (tmp_path / "line-line.yaml").read_text("utf-8") == before
     assert page.axe() == []

@@ -1,5 +1,7 @@
 /** The line: side view and plan, one below the other, and what is drawn. */
+import { part } from "../shell/panels.ts";
 import { exaggeration, selected } from "../state/selection.ts";
+import { isListed } from "../editor/checking.ts";
 import { EXAGGERATIONS } from "./camera.ts";
 import "./drawing.css";
 import { Failed } from "./Failed.tsx";
@@ -79,11 +81,13 @@ function Twins({ geometry }: { geometry: Geometry }) {
 /** What is wrong with the text, and the way to its place. */
 function Wrong() {
   const { text, field } = wrong.value!;
-  const go = field ? () => (selected.value = { kind: "field", field: field.join(".") }) : null;
+  // The list of the file that is edited has its errors in full; what only the drawing finds is told here.
+  const isTold = isListed(text);
+  const go = field ? () => ((selected.value = { kind: "field", field: field.join(".") }), (part.value = "right")) : null;
   return (
     <p class="wrong" role="status">
       {edited.value ? "Drawn is the last valid line. " : ""}
-      {text}
+      {isTold ? "The file has an error." : text}
       {go && <button onClick={go}>Show the field</button>}
     </p>
   );

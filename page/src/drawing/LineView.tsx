@@ -2,9 +2,11 @@
  * The line from the side or in plan. Wheel: zoom about the pointer; drag: move along, or a dropper
  * (in plan the stagger at a support), which is then changed in the text. Keys: see `keys`.
  */
-import { useSignal } from "@preact/signals";
+import { useSignal, useSignalEffect } from "@preact/signals";
 import { useMemo, useRef } from "preact/hooks";
+import { leave, point, pointed } from "../state/pointing.ts";
 import { cursor, exaggeration, range, selected } from "../state/selection.ts";
+import { inWords, wentTo } from "../state/worst.ts";
 import { camera, fitted, kept, zoomed, type Camera } from "./camera.ts";
 import { useCanvas } from "./canvas.ts";
 import { dragOf, type Drag } from "./drag.ts";
@@ -43,6 +45,7 @@ export function LineView({ view }: { view: View }) {
   const eye = useRef<Camera | null>(null);
   const hover = useSignal<Picked | null>(null);
   const drag = useSignal<Drag | null>(null);
+  const pointer = useRef<number | null>(null);
   const began = useRef<{ x: number; range: [number, number]; moved: boolean } | null>(null);
 
   useCanvas(canvas, ({ context, width, height, colour }) => {
@@ -57,7 +60,7 @@ export function LineView({ view }: { view: View }) {
     context.globalAlpha = 1;
     for (const layer of layers) if (layer.view === view) layer.draw(pencil);
     drag.value?.draw(pencil);
-    const at = cursor.value;
+    const at = pointed.value;
     if (at !== null && at >= seen.x0 && at <= seen.x1) {
       context.strokeStyle = colour("accent");
       context.lineWidth = 1;
@@ -68,6 +71,13 @@ export function LineView({ view }: { view: View }) {
     }
   });
 
+  // The line moves below a pointer that stands.
+  useSignalEffect(() => {
+    const seen = sightOf(view, canvas.current?.clientWidth ?? 0, canvas.current?.clientHeight ?? 0);
+    if (pointer.current === null || !seen) return;
+    point(seen.metres(pointer.current));
+    hover.value = null;
+  });
   const looked = (event: PointerEvent) => {
     const [geometry, seen] = [shown.peek(), eye.current];
     if (!geometry || !seen) return null;
@@ -79,7 +89,8 @@ export function LineView({ view }: { view: View }) {
       move(event: PointerEvent) {
         const [geometry, seen, start] = [shown.peek(), eye.current, began.current];
         if (!geometry || !seen) return;
-        cursor.value = seen.metres(event.offsetX);
+        pointer.current = event.offsetX;
+        point(seen.metres(event.offsetX));
         if (drag.peek()) {
           drag.value = drag.peek()!.to(seen, event.offsetX, event.offsetY);
           redraw();
@@ -106,7 +117,9 @@ export function LineView({ view }: { view: View }) {
         redraw();
       },
       leave() {
+        pointer.current = null;
         hover.value = null;
+        leave();
       },
       cancel() {
         began.current = null;
@@ -131,14 +144,16 @@ export function LineView({ view }: { view: View }) {
   const geometry = shown.value;
   const title = view === "side" ? "Side view" : "Plan";
   const label = geometry ? `${title}: ${drawingInWords(geometry, indexOf(geometry))}` : title;
-  const at = cursor.value;
+  const at = pointed.value;
   const told =
     geometry &&
     (hover.value
       ? pickedInWords(geometry, hover.value, now(), isDraft.value)
-      : at === null || isDraft.value || view === "plan"
+      : view === "plan"
         ? ""
-        : placeInWords(geometry, indexOf(geometry), at));
+        : at === null || isDraft.value
+          ? markInWords()
+          : placeInWords(geometry, indexOf(geometry), at));
   return (
     <div class={`line-view ${view}`}>
       <canvas
@@ -154,12 +169,26 @@ export function LineView({ view }: { view: View }) {
         onPointerCancel={act.cancel}
         onWheel={act.wheel}
         onKeyDown={act.key}
+        onBlur={leave}
       />
-      <p class="told" aria-live="polite">
-        {drag.value?.told ?? told}
-      </p>
+      <div class="foot">
+        <p class="told" aria-live="polite">
+          {drag.value?.told ?? told}
+        </p>
+        {view === "side" && (
+          <span class="key">
+            <i aria-hidden="true" /> slack dropper
+          </span>
+        )}
+      </div>
     </div>
   );
+}
+
+/** The worst place that is marked, in words: the mark has its number alone. */
+function markInWords(): string {
+  const place = wentTo.value;
+  return place && isPlayed.value ? `worst place ${inWords(place)} · ${place.position_m.toFixed(2)} m` : "";
 }
 
 function choose(found: Picked | null): void {
@@ -183,7 +212,7 @@ function keys(event: KeyboardEvent, geometry: NonNullable<typeof shown.value>, s
       const starts = [...geometry.spans.map((span) => span.start_m), geometry.spans.at(-1)?.end_m ?? 0];
       const next = side < 0 ? starts.findLast((x) => x < at - 0.01) : starts.find((x) => x > at + 0.01);
       const to = event.shiftKey ? (next ?? at) : at + side / seen.scale;
-      cursor.value = Math.min(Math.max(to, all[0]), all[1]);
+      point(Math.min(Math.max(to, all[0]), all[1]), "keys");
       const [start, end] = sight.peek();
       if (cursor.peek()! < start || cursor.peek()! > end) {
         range.value = kept([cursor.peek()! - (end - start) / 2, cursor.peek()! + (end - start) / 2], all);

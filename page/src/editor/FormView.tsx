@@ -3,6 +3,8 @@ import { useEffect, useRef } from "preact/hooks";
 import { selectedField } from "../drawing/scene.ts";
 import { opened } from "./documents.ts";
 import { followForm, form } from "./formData.ts";
+import { DropperTable } from "./DropperTable.tsx";
+import { rowsOf, spanOf } from "./dropperRows.ts";
 import { ListField } from "./ListField.tsx";
 import { ValueField } from "./ValueField.tsx";
 
@@ -30,9 +32,10 @@ export function FormView() {
       {found.groups.map((group) => (
         <details open key={group.title}>
           <summary>{group.title}</summary>
-          {group.fields.map((own) => (
-            <div class="row" data-field={own.field} key={own.field}>
-              {Array.isArray(own.typed) ? <ListField own={own} /> : <ValueField own={own} />}
+          {rowsOf(group.fields).map((all) => (
+            <div class="row" data-field={all[0].together ?? all[0].field} key={all[0].field}>
+              {all[0].together ? <DropperTable lists={all} span={spanOf(all[0].together, group.fields)} />
+                : Array.isArray(all[0].typed) ? <ListField own={all[0]} /> : <ValueField own={all[0]} />}
             </div>
           ))}
         </details>

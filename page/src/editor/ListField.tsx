@@ -80,7 +80,7 @@ interface CellProps {
   canVary: boolean;
 }
 
-function Cell({ field, value, label, disabled, canVary }: CellProps) {
+export function Cell({ field, value, label, disabled, canVary }: CellProps) {
   const typing = useSignal<string | null>(null);
   const shown = isItem(value) || Array.isArray(value) ? JSON.stringify(value) : String(value ?? "");
   const problems = problemsOf(field);

@@ -2,8 +2,9 @@
 import { useSignal } from "@preact/signals";
 import { ask } from "../connection/http.ts";
 import { complain, say } from "../shell/messages.ts";
+import { openModel } from "../state/opening.ts";
 import { readProject } from "../state/project.ts";
-import { file } from "../state/selection.ts";
+import { isWrong } from "./checking.ts";
 import { kind, opened, saving, writable } from "./documents.ts";
 import { redo, undo } from "./session.ts";
 
@@ -17,10 +18,11 @@ const WORDS = {
 
 /** Copy a shipped model into the folder, and open the copy. */
 async function copy(from: string, name: string): Promise<void> {
+  const of = kind.peek();
   try {
-    const made = await ask<{ path: string }>("new", { body: { name, from, with_pantographs: kind.peek() === "scenario" } });
+    const made = await ask<{ path: string }>("new", { body: { name, from, with_pantographs: of === "scenario" } });
     await readProject();
-    file.value = made.path;
+    openModel(made.path, of);
     say("note", `Copied to ${made.path}`);
   } catch (error) {
     complain(error);
@@ -47,6 +49,7 @@ export function SaveState() {
           </button>
           <span role="status" class={saving.value === "not saved" || saving.value === "conflict" ? "open" : ""}>
             {WORDS[saving.value]}
+            {saving.value === "saved" && isWrong.value && <span class="error">, with an error</span>}
           </span>
         </>
       ) : name.value === null ? (

@@ -126,15 +126,14 @@ function Unit({ own, unit, disabled }: { own: FormField; unit: string; disabled:
   );
 }
 
+/** What a field is, where it is selected. What is wrong with it stands once, in the list below the form. */
 export function About({ own, problems }: { own: FormField; problems: string[] }) {
   const here = selected.value?.kind === "field" && selected.value.field === own.field;
   const limits = limitsOf(own);
   if (!here && !problems.length) return <p id={`about-${own.field}`} class="about" hidden>{own.description}</p>;
   return (
     <p id={`about-${own.field}`} class="about">
-      {problems.map((one) => (
-        <span class="error" key={one}>{one} </span>
-      ))}
+      {problems.length > 0 && <span class="error">{problems.length > 1 ? `${problems.length} errors` : "An error"}, told below the form. </span>}
       {here && `${own.description}${limits ? ` Limits: ${limits}.` : ""}${own.line ? ` Line ${own.line}.` : ""}`}
     </p>
   );

@@ -39,6 +39,12 @@ export const findings = computed(() => {
   ];
 });
 
+/** Whether the text as it was checked last has an error. */
+export const isWrong = computed(() => findings.value.some(({ level }) => level === "error"));
+
+/** Whether a text is an error of the file in the list below its fields, where it stands in full. */
+export const isListed = (text: string): boolean => findings.value.some(({ finding }) => finding.text === text);
+
 const question = newest((signal, path: string, content: string) =>
   ask<Check>("check", { body: { path, text: content }, signal }),
 );

@@ -23,6 +23,8 @@ export interface FormField {
   required: boolean;
   /** Words that may stand there. */
   choices?: string[] | null;
+  /** Path of the droppers that this list has one value each for; null of other fields. */
+  together?: string | null;
 }
 
 export interface FormGroup {

@@ -113,7 +113,7 @@ function Running() {
         <p class="note" key={note}>{note.charAt(0).toUpperCase() + note.slice(1)}.</p>
       ))}
       <p class="note">
-        The slider adds to the static force, in N, upwards and where the pantograph is pushed up. A gust is a head wind that rises and
+        The slider adds to the static force of the pantograph, in N. It acts on the lowest mass of the model, where the static force acts. A gust is a head wind that rises and
         falls as 1 − cos: the lift that it adds acts at the same place. Wires feel no wind.
       </p>
       <div class="hands">

@@ -2,8 +2,9 @@
 import { useEffect } from "preact/hooks";
 import { useSignal } from "@preact/signals";
 import { clock } from "../state/selection.ts";
+import { worst } from "../state/worst.ts";
 import { follow, growing, jump, pause, RATES, step, toggle } from "./clock.ts";
-import { stepSpan, stepWorst, worst } from "./places.ts";
+import { stepSpan, stepWorst } from "./places.ts";
 import { every, scene, state, viewers, waiting } from "./player.ts";
 import "./player.css";
 

@@ -8,6 +8,8 @@ export const RATES = [0.05, 0.1, 0.25, 0.5, 1, 2, 5, 10, 20] as const;
  * arrive in bundles, longer lags behind the run.
  */
 const FOLLOW = 0.15;
+/** Frames of the screen in a second. */
+const SCREEN = 60; // 1/s
 
 /** Whether more frames will come; the stream says it. */
 export const growing = signal(false);
@@ -44,8 +46,9 @@ export function tick(wall: number, limit: (time: number) => number = (time) => t
 
 export function play(): void {
   batch(() => {
-    // At the end of a whole run there is nothing to play but from its start.
-    if (!growing.peek() && clock.time_s.peek() >= clock.end_s.peek()) clock.time_s.value = clock.start_s.peek();
+    // At the end of a whole run there is nothing to play but from its start; less than a frame is not seen to move.
+    const left = clock.end_s.peek() - clock.time_s.peek();
+    if (!growing.peek() && left < clock.rate.peek() / SCREEN) clock.time_s.value = clock.start_s.peek();
     clock.playing.value = true;
   });
 }

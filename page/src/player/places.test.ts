@@ -1,8 +1,9 @@
 // @vitest-environment happy-dom
 import { beforeEach, expect, test } from "vitest";
 import { clock } from "../state/selection.ts";
+import { inWords, wentTo, worst } from "../state/worst.ts";
 import { jump, setEnds } from "./clock.ts";
-import { placeNow, stepWorst, worst } from "./places.ts";
+import { placeNow, stepWorst } from "./places.ts";
 import { begin, store } from "./player.ts";
 
 beforeEach(() => {
@@ -22,8 +23,9 @@ test("a place is known where no frame has come", () => {
 });
 
 test("keys that follow one another at once go on from place to place", () => {
-  worst.value = [240, 320, 600];
+  worst.value = [240, 320, 600].map((position_m) => ({ position_m, force_N: 210.4 }));
   const times = [1, 1, 1, -1, -1].map((way) => (stepWorst(way as 1 | -1), clock.time_s.value));
   // A second before each place.
   expect(times.map((time) => Math.round(100 + 80 * (time + 1)))).toEqual([240, 320, 600, 320, 240]);
+  expect(inWords(wentTo.value!)).toBe("1 of 3: 210 N");
 });

@@ -1,12 +1,9 @@
 /** Between positions along the track and times: where the first pantograph stands. m, s. */
-import { signal } from "@preact/signals";
 import { clock } from "../state/selection.ts";
+import { wentTo, worst } from "../state/worst.ts";
 import { jump } from "./clock.ts";
 import { lastAt } from "./motion/track.ts";
 import { scene, store } from "./player.ts";
-
-/** Worst places of the run that is played, ascending; empty before they are known. */
-export const worst = signal<number[]>([]);
 
 /** Speed of the first pantograph in m/s, of the frames that are kept; NaN where they do not say it. */
 export function speed(): number {
@@ -53,15 +50,19 @@ export function stepSpan(direction: 1 | -1): void {
   if (next !== undefined) standAt(next);
 }
 
-/** Go to the next or previous worst place, a second before the pantograph reaches it. */
+/** Go to the next or previous worst place, a second before the pantograph reaches it; it is marked. */
 export function stepWorst(direction: 1 | -1): void {
   const v = speed();
   const now = placeNow() + BEFORE * (Number.isFinite(v) ? v : 0);
   const all = worst.peek();
   // After the last one comes the first.
   const next =
-    direction > 0 ? (all.find((x) => x > now + APART) ?? all[0]) : (all.findLast((x) => x < now - APART) ?? all.at(-1));
-  if (next !== undefined) standAt(next, { before_s: BEFORE });
+    direction > 0
+      ? (all.find(({ position_m: x }) => x > now + APART) ?? all[0])
+      : (all.findLast(({ position_m: x }) => x < now - APART) ?? all.at(-1));
+  if (!next) return;
+  standAt(next.position_m, { before_s: BEFORE });
+  wentTo.value = next;
 }
 
 const BEFORE = 1; // s

@@ -1,6 +1,7 @@
 // @vitest-environment happy-dom
 import { beforeEach, expect, test } from "vitest";
 import { clock } from "../state/selection.ts";
+import { play, setEnds, tick } from "./clock.ts";
 import { everyAt } from "./motion/wanted.ts";
 import { Pace } from "./pace.ts";
 import { begin, limit, pace, scene, store } from "./player.ts";
@@ -35,6 +36,17 @@ test("at the rate of the player nothing is shown between moments that are farthe
   pace.value = 10;
   received(1, 5, 10);
   expect(limit(4)).toBe(1);
+});
+
+test("the end of a run is reached where its last moment is less than their distance before it", () => {
+  received(1, 5, 1);
+  setEnds(0, store.moments.at(-1)! + 0.011, true);
+  play();
+  setEnds(0, clock.end_s.value, false);
+  for (let frames = 0; frames < 400; frames++) tick(1 / 60, limit);
+  expect([clock.time_s.value, clock.playing.value]).toEqual([clock.end_s.value, false]);
+  play();
+  expect(clock.time_s.value).toBe(0);
 });
 
 test("the speed of a run is known from the second word of its edge, and is a mean from then on", () => {

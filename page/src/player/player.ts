@@ -6,7 +6,7 @@ import { batch, effect, signal } from "@preact/signals";
 import type { Geometry } from "../drawing/geometry.ts";
 import { moved, played, redrawNow, showing, type MovedWire } from "../drawing/scene.ts";
 import { clock } from "../state/selection.ts";
-import { pause, setEnds, tick } from "./clock.ts";
+import { growing, pause, setEnds, tick } from "./clock.ts";
 import { History } from "./motion/history.ts";
 import { newState, sample, type MotionState, type Sizes } from "./motion/state.ts";
 import { Store } from "./motion/store.ts";
@@ -72,6 +72,9 @@ export function limit(time: number): number {
   let at = lastAt(times, clock.time_s.peek());
   if (at < 0) return times.length && times[0]! - time <= gap ? time : clock.time_s.peek();
   while (times[at + 1] !== undefined && times[at]! < time && times[at + 1]! - times[at]! <= gap) at++;
+  // Moments are asked for at their distance, and the last one of a run may be less than it before the end.
+  const rest = clock.end_s.peek() - times[at]!;
+  if (!growing.peek() && rest >= 0 && rest <= gap) return time;
   return Math.min(time, times[at]!);
 }
 

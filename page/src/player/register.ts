@@ -1,10 +1,12 @@
 import { computed, effect } from "@preact/signals";
 import { addLayer, isPlayed, shown, showing, type Pencil } from "../drawing/scene.ts";
 import { addCommand, addPanel } from "../shell/panels.ts";
+import { followPointing } from "../state/pointing.ts";
 import { clock, range } from "../state/selection.ts";
+import { worst } from "../state/worst.ts";
 import { changeRate, follow, growing, jump, step, toggle } from "./clock.ts";
 import { followSource } from "./opened.ts";
-import { stepSpan, stepWorst, worst } from "./places.ts";
+import { stepSpan, stepWorst } from "./places.ts";
 import { every, scene, viewers, wake } from "./player.ts";
 import { followWorst } from "./worst.ts";
 import { followCamera, startFollowing } from "./views/camera.ts";
@@ -60,5 +62,6 @@ export function register(): void {
   commands();
   followSource();
   followWorst();
+  followPointing();
   followSeries();
 }

@@ -2,10 +2,10 @@
 import { effect } from "@preact/signals";
 import { ask } from "../connection/http.ts";
 import { source } from "../state/selection.ts";
-import { worst } from "./places.ts";
+import { wentTo, worst, type WorstPlace } from "../state/worst.ts";
 
 interface Explained {
-  pantographs: { worst: { position_m: number }[] }[];
+  pantographs: { worst: { position_m: number; force_N?: number }[] }[];
 }
 
 /** Ask for the worst places of each run that is played. */
@@ -13,13 +13,15 @@ export function followWorst(): void {
   effect(() => {
     const of = source.value;
     worst.value = [];
+    wentTo.value = null;
     if (!of || !("run" in of)) return;
     // A run that is too short has no explanation: J and K then have nowhere to go.
     void ask<Explained>("explain", { query: { run: of.run } })
       .then(({ pantographs }) => {
         if (source.peek() !== of) return;
-        const all = pantographs.flatMap((one) => one.worst.map((place) => place.position_m));
-        worst.value = [...new Set(all)].sort((a, b) => a - b);
+        const all = pantographs.flatMap((one) => one.worst);
+        const places = new Map(all.map(({ position_m, force_N = null }): [number, WorstPlace] => [position_m, { position_m, force_N }]));
+        worst.value = [...places.values()].sort((a, b) => a.position_m - b.position_m);
       })
       .catch(() => undefined);
   });

@@ -1,15 +1,18 @@
 /** The folder: models by kind, runs to tick, studies, measured data, and the shipped library. */
 import type { ComponentChildren } from "preact";
 import { showStudy } from "../studies/vary.ts";
+import { openModel } from "../state/opening.ts";
 import { project, type ModelEntry, type ProjectView } from "../state/project.ts";
 import { showing } from "../drawing/scene.ts";
 import { file, source, ticked } from "../state/selection.ts";
-import { show } from "../shell/panels.ts";
-import { copy } from "./copy.ts";
+import { part, show } from "../shell/panels.ts";
+import { CopyForm, copying } from "./CopyForm.tsx";
 import { LibraryList } from "./LibraryList.tsx";
+import { showLibrary } from "./library.ts";
 import { openMeasured } from "../results/measured.ts";
 import { Runs } from "./Runs.tsx";
 import { runThis } from "./running.ts";
+import { treeKey } from "./treeKeys.ts";
 import { KINDS } from "./words.ts";
 
 export function Section({ title, count, open = true, children }: { title: string; count: number; open?: boolean; children: ComponentChildren }) {
@@ -25,7 +28,8 @@ export function Section({ title, count, open = true, children }: { title: string
 }
 
 function open(entry: ModelEntry): void {
-  file.value = entry.path;
+  openModel(entry.path, entry.kind);
+  part.value = "main";
   if (entry.kind === "study") show("studies");
 }
 
@@ -43,7 +47,8 @@ function Model({ entry, act }: { entry: ModelEntry; act?: [string, () => void] }
           {act[0] === "Run" ? "▶" : "⧉"}
         </button>
       )}
-      {entry.error && <p class="broken">{entry.error}</p>}
+      {entry.error && <p class="broken" title={entry.error}>{isOpen ? "An error, told below its fields" : entry.error}</p>}
+      {copying.value?.path === entry.path && copying.value.at === "tree" && <CopyForm entry={entry} />}
     </li>
   );
 }
@@ -118,7 +123,7 @@ function Library({ view }: { view: ProjectView }) {
   return (
     <Section title="Library" count={view.library.length} open={false}>
       <LibraryList library={view.library} label="Search the library" hint="Search">
-        {(entry) => <Model key={entry.path} entry={entry} act={["Copy to my folder", () => void copy(entry)]} />}
+        {(entry) => <Model key={entry.path} entry={entry} act={["Copy to my folder", () => (copying.value = { path: entry.path, at: "tree" })]} />}
       </LibraryList>
     </Section>
   );
@@ -127,6 +132,7 @@ function Library({ view }: { view: ProjectView }) {
 /** Play a run; the one that is played goes on where it is, and is seen again. */
 function play(path: string): void {
   const played = source.peek();
+  part.value = "main";
   if (played && "run" in played && played.run === path) showing.value = "played";
   else source.value = { run: path };
 }
@@ -135,8 +141,11 @@ export function ProjectTree() {
   const view = project.value;
   if (!view) return <p class="soft tree-head">Reading the folder</p>;
   return (
-    <div class="tree">
-      <h2 class="tree-head" title={view.folder}>{view.name}</h2>
+    <div class="tree" onKeyDown={treeKey}>
+      <div class="tree-top">
+        <h2 class="tree-head" title={view.folder}>{view.name}</h2>
+        <button title="New line, scenario or pantograph, from a shipped one" onClick={showLibrary}>New …</button>
+      </div>
       <Models view={view} />
       <Runs view={view} play={play} />
       <KeptStudies view={view} />

@@ -1,16 +1,19 @@
 /** The bar at the top: scenario, speed, pantographs, run, its progress, the verdict. */
 import { useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
-import { change, changes, written } from "../state/changes.ts";
+import { change, changes } from "../state/changes.ts";
+import { changesInWords } from "../state/fieldWords.ts";
 import { cancel } from "../state/jobs.ts";
+import { openModel } from "../state/opening.ts";
 import { project } from "../state/project.ts";
 import { file, scenario, source } from "../state/selection.ts";
-import { complain, messages } from "../shell/messages.ts";
+import { complain, messages, worstOf } from "../shell/messages.ts";
 import { fold, folded } from "../shell/layout.ts";
 import { dialog, listed } from "../shell/window.ts";
-import { canRun, isWatched, nameOf, run, runningJob, saveAsScenario, withCertainty, withMotion } from "./running.ts";
+import { canRun, isWatched, nameOf, obstacle, run, runningJob, saveAsScenario, withCertainty, withMotion } from "./running.ts";
 import { fields } from "./scenarioFields.ts";
-import { withUnit } from "./words.ts";
+import { refused, typeSpeed } from "./speed.ts";
+import { isPart } from "./standing.ts";
 import { Verdict } from "./Verdict.tsx";
 
 function Scenario() {
@@ -26,8 +29,7 @@ function Scenario() {
         title={scenario.value === null ? "" : nameOf(scenario.value)}
         value={scenario.value ?? ""}
         onChange={(event) => {
-          scenario.value = event.currentTarget.value || null;
-          file.value = scenario.value;
+          if (event.currentTarget.value) openModel(event.currentTarget.value, "scenario");
         }}
       >
         {scenario.value === null && <option value="">Choose one</option>}
@@ -46,20 +48,29 @@ function Scenario() {
 }
 
 function Speed() {
-  const ofFile = fields.value?.speed;
-  if (ofFile == null) return null;
-  const now = String(changes.value["speed"] ?? ofFile);
+  const of = fields.value;
+  if (of?.speed == null) return null;
+  const { path, speed, speedField } = of;
+  const now = String(changes.value["speed"] ?? speed);
+  const wrong = refused.value;
   return (
     <label>
       <span>Speed</span>
       <input
-        class={`speed ${now === ofFile ? "" : "changed"}`}
-        key={fields.value?.path}
-        value={now}
-        title={`In the file: ${ofFile}`}
+        class={`speed ${now === speed ? "" : "changed"}`}
+        key={path}
+        value={wrong?.typed ?? now}
+        title={`In the file: ${speed}`}
         spellcheck={false}
         autocomplete="off"
-        onChange={(event) => change("speed", withUnit(event.currentTarget.value, now), ofFile)}
+        aria-invalid={wrong !== null}
+        aria-describedby={wrong ? "speed-problem" : undefined}
+        onChange={(event) => void typeSpeed(event.currentTarget.value, { path, speed, speedField })}
+        onKeyDown={(event) => {
+          if (event.key !== "Escape") return;
+          event.currentTarget.value = now;
+          refused.value = null;
+        }}
       />
     </label>
   );
@@ -108,11 +119,11 @@ function Options() {
       <div class="pop">
         <label>
           <input type="checkbox" checked={withMotion.value} onChange={(event) => (withMotion.value = event.currentTarget.checked)} />
-          Record the motion of the wires, to play the run again
+          <span>Record the motion of the wires, to play the run again</span>
         </label>
         <label>
           <input type="checkbox" checked={withCertainty.value} onChange={(event) => (withCertainty.value = event.currentTarget.checked)} />
-          Find how sure the numbers are, by further runs: ±
+          <span>Certainty: find the ± of the numbers by further runs</span>
         </label>
       </div>
     </details>
@@ -132,7 +143,7 @@ function Changed() {
   return (
     <div class="variant" role="group" aria-label="Variant">
       <span>
-        Variant of {nameOf(base)}: {all.map(([field, value]) => `${field} ${written(value)}`).join(", ")}
+        Variant of {nameOf(base)}: {changesInWords(all)}
       </span>
       {naming.value ? (
         <form onSubmit={(event) => void save(event)}>
@@ -147,6 +158,20 @@ function Changed() {
         </>
       )}
     </div>
+  );
+}
+
+/** The file that is open, where what is changed in it changes nothing of the scenario that is run. */
+function Beside() {
+  const [path, chosen, view] = [file.value, scenario.value, project.value];
+  const entry = [...(view?.models ?? []), ...(view?.library ?? [])].find((one) => one.path === path);
+  if (!entry || chosen === null || entry.kind === "study") return null;
+  if (isPart(entry.path, chosen, fields.value, changes.value, view!.models) !== false) return null;
+  return (
+    <p class="beside" role="status">
+      The {entry.kind} that is open, {entry.name}, is no part of the scenario that is run, {nameOf(chosen)}.{" "}
+      <button onClick={() => openModel(chosen, "scenario")}>Open the scenario</button>
+    </p>
   );
 }
 
@@ -167,15 +192,16 @@ function Running() {
 
 function Tools() {
   const count = messages.value.length;
+  const level = worstOf(messages.value);
   return (
     <div class="tools">
       {(count > 0 || listed.value) && (
-        <button class={count ? "counted" : ""} aria-expanded={listed.value} onClick={() => (listed.value = !listed.value)}>
+        <button class={level ? `counted ${level}` : ""} aria-expanded={listed.value} onClick={() => (listed.value = !listed.value)}>
           Messages {count}
         </button>
       )}
       <button onClick={() => (dialog.value = "commands")} title="All commands (Ctrl+K)">Commands</button>
-      <button class="fold" aria-pressed={!folded.value.left} title="Project (Ctrl+B)" onClick={() => fold("left")}>
+      <button class="fold" aria-pressed={!folded.value.left} title="Project (Ctrl+B goes there)" onClick={() => fold("left")}>
         <span aria-hidden="true">◧</span><span class="unseen">Project</span>
       </button>
       <button class="fold" aria-pressed={!folded.value.right} title="Inspector (Ctrl+I)" onClick={() => fold("right")}>
@@ -193,14 +219,22 @@ export function RunBar() {
         <Scenario />
         <Speed />
         <Pantographs />
-        <button class="run" disabled={!canRun.value} title="Ctrl+Enter" onClick={() => void run()}>
+        {/* Not `disabled`, which would take the focus away from who pressed it. */}
+        <button class="run" aria-disabled={!canRun.value} title={obstacle.value ?? "Ctrl+Enter"} onClick={() => canRun.peek() && void run()}>
           <span aria-hidden="true">▶</span> {isVariant ? "Run as variant" : "Run"}
         </button>
         <Options />
         <Running />
         <Tools />
       </div>
+      {refused.value && (
+        <div class="speed-problem">
+          <span id="speed-problem" role="alert">{refused.value.why}</span>
+          <button onClick={() => (refused.value = null)}>Back to the speed before</button>
+        </div>
+      )}
       <Changed />
+      <Beside />
     </>
   );
 }

@@ -19,7 +19,7 @@ function Run({ run, title, differs, play }: { run: RunEntry; title: string; diff
     <li class={isShown ? "entry run-entry here" : "entry run-entry"}>
       <input
         type="checkbox"
-        aria-label={`Overlay ${run.path}`}
+        aria-label={`Overlay ${[title, differs, word, ...numbers(run).map((one) => one.filter(Boolean).join(" "))].filter(Boolean).join(", ")}`}
         checked={ticked.value.includes(run.path)}
         disabled={!isReadable}
         onChange={(event) => tick(run.path, event.currentTarget.checked)}

@@ -1,8 +1,9 @@
 /** The first screen: an example that runs in one click, and all shipped models to begin with. */
+import { openModel } from "../state/opening.ts";
 import { project, type ModelEntry } from "../state/project.ts";
-import { file } from "../state/selection.ts";
 import { show } from "../shell/panels.ts";
-import { copy } from "./copy.ts";
+import { copy, nameFor } from "./copy.ts";
+import { CopyForm, copying } from "./CopyForm.tsx";
 import { LibraryList } from "./LibraryList.tsx";
 import { runThis } from "./running.ts";
 
@@ -10,14 +11,15 @@ import { runThis } from "./running.ts";
 const EXAMPLE = "en50318-ac-simple-320-planar";
 
 async function runExample(example: ModelEntry): Promise<void> {
-  const path = await copy(example);
+  const path = await copy(example, nameFor(example));
   if (path !== null) await runThis(path);
 }
 
 function Template({ entry }: { entry: ModelEntry }) {
+  const isAsked = copying.value?.path === entry.path && copying.value.at === "start";
   return (
     <li class="template">
-      <button class="name" onClick={() => void copy(entry)}>
+      <button class="name" aria-expanded={isAsked} onClick={() => (copying.value = { path: entry.path, at: "start" })}>
         <strong>{entry.name}</strong>
         <span>{entry.description}</span>
       </button>
@@ -25,12 +27,13 @@ function Template({ entry }: { entry: ModelEntry }) {
         class="plain"
         aria-label={`Look at ${entry.name} first`}
         onClick={() => {
-          file.value = entry.path;
+          openModel(entry.path, entry.kind);
           show("drawing");
         }}
       >
         Look
       </button>
+      {isAsked && <CopyForm entry={entry} />}
     </li>
   );
 }

@@ -2,8 +2,8 @@
 import { ask } from "../connection/http.ts";
 import { complain, say } from "../shell/messages.ts";
 import { show } from "../shell/panels.ts";
+import { openModel } from "../state/opening.ts";
 import { project, readProject, type ModelEntry } from "../state/project.ts";
-import { file } from "../state/selection.ts";
 
 /** A name that no model of the folder has, with a number if need be. */
 export function freeName(wanted: string, taken: readonly string[]): string {
@@ -11,17 +11,19 @@ export function freeName(wanted: string, taken: readonly string[]): string {
   for (let number = 2; ; number++) if (!taken.includes(`${wanted}-${number}`)) return `${wanted}-${number}`;
 }
 
-/**
- * Copy a shipped model under a name of its own, `my-NAME`: of a shipped one it would be mistaken. Of a
- * scenario its line and pantographs come too. It is opened.
- */
-export async function copy(entry: ModelEntry): Promise<string | null> {
+/** The name that is offered for a copy, `my-NAME`: by that of the shipped model it would be mistaken for it. */
+export function nameFor(entry: ModelEntry): string {
   const stems = (project.peek()?.models ?? []).map((one) => one.path.replace(/^.*\//, "").replace(/\.[a-z]+$/, ""));
-  const body = { name: freeName(`my-${entry.name}`, stems), from: entry.path, with_pantographs: entry.kind === "scenario" };
+  return freeName(`my-${entry.name}`, stems);
+}
+
+/** Copy a shipped model under a name of its own. Of a scenario its line and pantographs come too. It is opened. */
+export async function copy(entry: ModelEntry, name: string): Promise<string | null> {
+  const body = { name, from: entry.path, with_pantographs: entry.kind === "scenario" };
   try {
     const { path } = await ask<{ path: string }>("new", { body });
     await readProject();
-    file.value = path;
+    openModel(path, entry.kind);
     show("drawing");
     say("note", `${entry.name} is copied to ${path}.`);
     return path;

@@ -1,10 +1,12 @@
-import { expect, it } from "vitest";
+import { expect, it, vi } from "vitest";
 import { change, changes } from "../state/changes.ts";
 import type { Criterion } from "../results/told.ts";
 import type { RunEntry } from "../state/project.ts";
 import { freeName } from "./copy.ts";
 import { differences, leadingWords, matches, verdictOf, withUnit } from "./words.ts";
-import { newestRun } from "./running.ts";
+import { canRun, newestRun } from "./running.ts";
+import { aboutSpeed, inWords, refused, typeSpeed } from "./speed.ts";
+import { scenario } from "../state/selection.ts";
 import { sorted } from "./scenarioFields.ts";
 
 const run = (path: string, more: Partial<RunEntry>): RunEntry => ({
@@ -38,13 +40,13 @@ it("finds speed and pantographs among the fields of a form", () => {
     { field: "pantographs.0.model", typed: "a" },
     { field: "pantographs.0.mean_force", typed: "100 N" },
   ];
-  expect(sorted("x", found)).toEqual({ path: "x", speed: "275 km/h", line: null, pantographs: ["a", "b"] });
+  expect(sorted("x", found)).toEqual({ path: "x", speed: "275 km/h", speedField: "speed", line: null, pantographs: ["a", "b"] });
   // Of a variant: what it sets, else what its base has.
   const variant = [
     { field: "set.speed", typed: null, inherited: "275 km/h" },
     { field: "set.pantographs.0.model", typed: "b", inherited: null },
   ];
-  expect(sorted("x", variant)).toEqual({ path: "x", speed: "275 km/h", line: null, pantographs: ["b"] });
+  expect(sorted("x", variant)).toEqual({ path: "x", speed: "275 km/h", speedField: "set.speed", line: null, pantographs: ["b"] });
   expect(sorted("x", [{ field: "line", typed: "a-line.yaml" }]).line).toBe("a-line.yaml");
 });
 
@@ -54,8 +56,8 @@ it("names what differs between runs, and nothing else", () => {
     run("r/2", { changes: { speed: "300 km/h" }, speed_m_s: 83.3 }),
     run("r/3", { name: "b", changes: { speed: "300 km/h" }, speed_m_s: 83.3 }),
   ];
-  expect(differences(runs)).toEqual([["a", "as in the file"], ["a", "speed 300 km/h"], ["b", "speed 300 km/h"]]);
-  expect(differences(runs.slice(1, 2))).toEqual([["a", "speed 300 km/h"]]);
+  expect(differences(runs)).toEqual([["a", "as in the file"], ["a", "Speed 300 km/h"], ["b", "Speed 300 km/h"]]);
+  expect(differences(runs.slice(1, 2))).toEqual([["a", "Speed 300 km/h"]]);
 });
 
 it("finds the newest run that can be read", () => {
@@ -75,7 +77,7 @@ it("names the line where runs differ by nothing else", () => {
   // A field of the line that was set says what differs.
   const field = "line.contact_wire.tension";
   const set = [run("r/1", { changes: { [field]: "15 kN" } }), run("r/2", { changes: { [field]: "16 kN" }, line_digest: "2" })];
-  expect(differences(set)).toEqual([["a", `${field} 15 kN`], ["a", `${field} 16 kN`]]);
+  expect(differences(set)).toEqual([["a", "Line contact wire: tension 15 kN"], ["a", "Line contact wire: tension 16 kN"]]);
 });
 
 const criterion = (name: string, more: Partial<Criterion>): Criterion => ({
@@ -103,4 +105,37 @@ it("finds a model by all words that are typed", () => {
   const entry = { path: "shipped:line/a", kind: "line" as const, name: "germany-re-200", description: "Re 200 of 80 m spans" };
   expect(matches(entry, "re 80")).toBe(true);
   expect(matches(entry, "re 90")).toBe(false);
+});
+
+it("says of a speed what is wrong with it, and of no other field", () => {
+  const speed = { text: "a.yaml:3: speed: not a number", what: "not a number", got: "`abc`", expected: "a speed such as 250 km/h", field: ["set", "speed"] };
+  expect(aboutSpeed([{ text: "b", field: ["line"] }, speed])).toBe(speed);
+  expect(aboutSpeed([{ text: "b", field: ["speed_profile", "speeds"] }, { text: "c" }])).toBeNull();
+  expect(inWords(speed)).toBe("Speed: not a number, got `abc`, expected a speed such as 250 km/h.");
+  expect(inWords({ ...speed, what: "speed" })).toBe("Speed: got `abc`, expected a speed such as 250 km/h.");
+  expect(inWords({ text: "No file." })).toBe("No file.");
+});
+
+it("keeps the last good speed and its unit where junk is typed, and nothing can be run until it is mended", async () => {
+  const of = { path: "mine.yaml", speed: "275 km/h", speedField: "speed" };
+  scenario.value = of.path;
+  changes.value = {};
+  const patched: unknown[] = [];
+  vi.stubGlobal("fetch", (address: string, { body }: { body?: string }) => {
+    const asked = JSON.parse(body ?? "{}") as { changes?: { speed: string }; text?: string };
+    if (asked.changes) patched.push(asked.changes.speed);
+    const isBad = asked.text?.includes("abc");
+    const answer = address.startsWith("api/check")
+      ? { errors: isBad ? [{ text: "x", what: "no number", field: ["speed"] }] : [] }
+      : { text: asked.changes?.speed ?? "" };
+    return Promise.resolve(new Response(JSON.stringify(answer)));
+  });
+  await typeSpeed("abc", of);
+  expect([refused.value?.why, changes.value, canRun.value]).toEqual(["Speed: no number.", {}, false]);
+  await typeSpeed("250", of);
+  expect([refused.value?.why, changes.value, canRun.value]).toEqual([undefined, { speed: "250 km/h" }, true]);
+  expect(patched).toEqual(["abc", "250 km/h"]);
+  await typeSpeed("275", of);
+  expect(changes.value).toEqual({});
+  vi.unstubAllGlobals();
 });

@@ -1,13 +1,16 @@
 /** A run of the chosen scenario: started, followed to its end, kept as a scenario of its own. */
 import { computed, effect, signal, untracked } from "@preact/signals";
 import { ask } from "../connection/http.ts";
+import { isSmall } from "../shell/layout.ts";
 import { complain, say } from "../shell/messages.ts";
 import { changes } from "../state/changes.ts";
 import { keepFailure } from "../state/failure.ts";
 import { hasEnded, jobs, type Job } from "../state/jobs.ts";
+import { openModel } from "../state/opening.ts";
 import { settled } from "../state/pending.ts";
 import { below, project, readProject, type ProjectView, type RunEntry } from "../state/project.ts";
-import { file, scenario, source, ticked } from "../state/selection.ts";
+import { refused } from "./speed.ts";
+import { scenario, source, ticked } from "../state/selection.ts";
 
 export const withMotion = signal(true);
 export const withCertainty = signal(false);
@@ -21,7 +24,11 @@ export const runningJob = computed<Job | null>(
   () => jobs.value.findLast((one) => one.kind === "run" && (one.state === "running" || one.state === "waiting")) ?? null,
 );
 
-export const canRun = computed(() => scenario.value !== null && runningJob.value === null);
+/** Why nothing can be run, in words; null where a run can begin. */
+export const obstacle = computed(() =>
+  scenario.value === null ? "Choose a scenario first." : runningJob.value !== null ? "A run is being computed." : (refused.value?.why ?? null));
+
+export const canRun = computed(() => obstacle.value === null);
 
 /** A run is ordered, and the server has not answered. */
 let isOrdered = false;
@@ -31,7 +38,15 @@ export async function run(): Promise<void> {
   const path = scenario.peek();
   if (path === null || runningJob.peek() || isOrdered) return;
   isOrdered = true;
+  const field = document.activeElement;
   await settled();
+  // Who ran it from a field goes on there.
+  if (field instanceof HTMLInputElement && field.isConnected) field.focus();
+  // The speed may just have been typed.
+  if (refused.peek() !== null) {
+    isOrdered = false;
+    return;
+  }
   await order({
     scenario: path,
     changes: changes.peek(),
@@ -60,8 +75,7 @@ async function order(body: object): Promise<void> {
 
 /** Run a scenario at once. */
 export async function runThis(path: string): Promise<void> {
-  scenario.value = path;
-  file.value = path;
+  openModel(path, "scenario");
   await run();
 }
 
@@ -73,8 +87,7 @@ export async function saveAsScenario(name: string): Promise<boolean> {
     const body = { scenario: base, name, changes: changes.peek() };
     const { path } = await ask<{ path: string }>("variant", { body });
     await readProject();
-    scenario.value = path;
-    file.value = path;
+    openModel(path, "scenario");
     say("note", `${path} holds what differs from ${nameOf(base)}.`);
     return true;
   } catch (error) {
@@ -133,9 +146,6 @@ function watched(job: Job): void {
   if (job.state === "failed") keepFailure(job);
 }
 
-/** The window is that of a phone: the tree stands below all else. */
-const isSmall = () => matchMedia("(max-width: 700px)").matches;
-
 /** The newest run that can be read; null without one. */
 export const newestRun = (runs: readonly RunEntry[]): string | null =>
   [...runs].filter((one) => one.verdict !== "unreadable").sort((a, b) => (a.created ?? "").localeCompare(b.created ?? "")).at(-1)?.path ?? null;
@@ -158,21 +168,5 @@ export function followRuns(): void {
   effect(() => {
     const all = jobs.value;
     untracked(() => all.forEach(endedIf));
-  });
-  // The first scenario of the folder is chosen until somebody chooses; one that is gone is let go.
-  effect(() => {
-    const view = project.value;
-    if (!view) return;
-    const all = [...view.models, ...view.library].filter((one) => one.kind === "scenario");
-    if (all.some((one) => one.path === scenario.peek())) return;
-    scenario.value = view.models.find((one) => one.kind === "scenario" && !one.error)?.path ?? null;
-    if (file.peek() === null) file.value = scenario.peek();
-  });
-  // A scenario that is opened is the one that is run.
-  effect(() => {
-    const path = file.value;
-    const view = project.peek();
-    const entry = [...(view?.models ?? []), ...(view?.library ?? [])].find((one) => one.path === path);
-    if (entry?.kind === "scenario") scenario.value = entry.path;
   });
 }

@@ -17,6 +17,8 @@ export interface ScenarioFields {
   path: string;
   /** As typed: "275 km/h"; null where the form does not tell. */
   speed: string | null;
+  /** Where the speed stands in the file: in a variant among what it sets. */
+  speedField: string;
   /** The line that it names, or that its base names; null where it holds its own. */
   line: string | null;
   /** Names of the pantographs' models, the leading one first. */
@@ -37,6 +39,7 @@ export function sorted(path: string, given: readonly Field[]): ScenarioFields {
   return {
     path,
     speed: text(found.find(({ field }) => field === "speed")?.typed),
+    speedField: given.find(({ field }) => field.replace(/^set\./, "") === "speed")?.field ?? "speed",
     line: text(found.find(({ field }) => field === "line")?.typed),
     pantographs: models.sort(([a], [b]) => a - b).map(([, model]) => model),
   };

@@ -1,4 +1,5 @@
 /** Words for runs and models: verdicts, numbers, what differs. */
+import { changesInWords } from "../state/fieldWords.ts";
 import type { Criterion } from "../results/told.ts";
 import type { ModelEntry, ModelKind, RunEntry } from "../state/project.ts";
 
@@ -95,7 +96,8 @@ export function differences(runs: readonly RunEntry[]): [string, string][] {
   const fields = [...new Set(runs.flatMap((run) => Object.keys(run.changes)))].filter((field) => !field.startsWith("output."));
   const differs = runs.length < 2 ? fields : fields.filter((field) => new Set(runs.map((run) => run.changes[field])).size > 1);
   return runs.map((run) => {
-    const told = differs.filter((field) => field in run.changes).map((field) => `${field} ${run.changes[field]}`);
+    const own = differs.filter((field) => field in run.changes).map((field) => [field, run.changes[field]!] as const);
+    const told = own.length ? [changesInWords(own)] : [];
     const alike = runs.filter((one) => one.name === run.name && differs.every((field) => one.changes[field] === run.changes[field]));
     if (run.line !== null && alike.some((one) => one.line_digest !== run.line_digest)) told.push(lineOf(run, alike));
     const same = alike.filter((one) => one.line_digest === run.line_digest).sort((a, b) => (a.created ?? "").localeCompare(b.created ?? ""));

@@ -1,5 +1,6 @@
 /** Ticked runs and measurements side by side: what differs, verdicts, numbers, overlays. */
 import { colour, scheme } from "../charts/colours.ts";
+import { fieldWords } from "../state/fieldWords.ts";
 import { project } from "../state/project.ts";
 import { ticked } from "../state/selection.ts";
 import { Acceptance, Bands, Placement } from "./MeasuredTables.tsx";
@@ -63,7 +64,7 @@ function Differences({ of }: { of: Comparison }) {
         <tbody>
           {of.fields.map((one) => (
             <tr key={one.path}>
-              <th scope="row">{one.path}</th>
+              <th scope="row" title={one.path}>{fieldWords(one.path)}</th>
               {one.values.map((value, k) => (
                 <td key={k} class="number">
                   {value ?? "–"}
@@ -126,6 +127,8 @@ function Verdicts({ of }: { of: Comparison }) {
   );
 }
 
+/** Whether a difference has an uncertainty beside it. */
+const isSure = ({ main }: Comparison): boolean => main.some(({ cells }) => cells.some((texts) => texts.some((text) => text.includes("±"))));
 /** Which run the others are compared with. */
 function Baseline({ what }: { what: Compares }) {
   return (
@@ -210,7 +213,7 @@ export function Compare() {
       <Differences of={value} />
       <Placement of={value} />
       <Numbers of={value} rows={value.main} title="Main numbers" />
-      <p class="soft">{value.differences_read} Smaller than their ± they are too close to tell.</p>
+      <p class="soft">{value.differences_read}{isSure(value) && " Smaller than their ± they are too close to tell."}</p>
       <Verdicts of={value} />
       <Acceptance of={value} />
       <FigureSections

@@ -19,6 +19,7 @@ function Verdict({ of }: { of: Assessed }) {
         <span aria-hidden="true">{verdict.sign}</span> {verdict.text}
       </p>
       {verdict.rest && <p>{verdict.rest}</p>}
+      <p>{of.judged_on}</p>
       {verdict.items.length > 0 && (
         <ul>
           {verdict.items.map((item) => (
@@ -27,7 +28,7 @@ function Verdict({ of }: { of: Assessed }) {
         </ul>
       )}
       <p class="soft">
-        {of.certainty ? "± is the certainty of a number, found by further runs." : "How sure the numbers are was not asked for."}
+        {of.certainty ? "± is the certainty of a number, found by further runs." : "Uncertainty was not computed; tick Certainty in the options of the run to compute it."}
       </p>
     </section>
   );

@@ -13,8 +13,8 @@ const view: Pick<ProjectView, "runs" | "measured"> = {
 
 it("calls runs and measurements as the tree does, each by another name", () => {
   expect([...namesOf(view)]).toEqual([
-    ["runs/b", "mine, speed 280 km/h, run 2 of 2"],
-    ["runs/c", "mine, speed 280 km/h, run 1 of 2"],
+    ["runs/b", "mine, Speed 280 km/h, run 2 of 2"],
+    ["runs/c", "mine, Speed 280 km/h, run 1 of 2"],
     ["runs/a", "mine, as in the file"],
     ["measured/site 7.csv", "site 7 (measured)"],
   ]);

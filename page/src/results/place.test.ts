@@ -1,6 +1,7 @@
 import { beforeEach, describe, expect, it } from "vitest";
 import { addPanel, shown } from "../shell/panels.ts";
-import { clock, cursor, source } from "../state/selection.ts";
+import { clock, source } from "../state/selection.ts";
+import { inWords, wentTo, worst } from "../state/worst.ts";
 import type { Place } from "./told.ts";
 import { goTo } from "./place.ts";
 
@@ -14,11 +15,13 @@ beforeEach(() => {
 });
 
 describe("worst places", () => {
-  it("set player and cursor, a second before", () => {
+  it("set the player a second before, and are marked with number and force", () => {
     goTo("runs/a", place(300, 4.5));
     expect(source.value).toEqual({ run: "runs/a" });
     expect(clock.time_s.value).toBe(3.5);
-    expect(cursor.value).toBe(300);
+    expect(inWords(wentTo.value!)).toBe("1 N");
+    worst.value = [100, 300].map((position_m) => ({ position_m, force_N: 1 }));
+    expect(inWords(wentTo.value!)).toBe("2 of 2: 1 N");
   });
   it("show the line, where they are seen", () => {
     addPanel({ id: "drawing", slot: "main", title: "Line", order: 0, load: async () => () => null });

@@ -30,6 +30,8 @@ export interface Assessed {
   verdict: { state: State; sign: string; text: string; rest: string; items: string[] };
   /** The criterion behind the verdict; null where none has a value and a limit. */
   leading: Criterion | null;
+  /** Section of the verdict, and its spans. */
+  judged_on: string;
   worst: string;
   criteria: Criterion[];
   marks: Record<string, string>;

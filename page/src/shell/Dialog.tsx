@@ -1,10 +1,11 @@
 /** A dialog over the window: Escape and a click beside it close it, the focus goes back to where it was. */
 import type { ComponentChildren } from "preact";
-import { useEffect, useRef } from "preact/hooks";
+import { useLayoutEffect, useRef } from "preact/hooks";
 
 export function Dialog({ label, close, children }: { label: string; close: () => void; children: ComponentChildren }) {
   const element = useRef<HTMLDialogElement>(null);
-  useEffect(() => {
+  // Before the next key: an effect comes after the next picture.
+  useLayoutEffect(() => {
     element.current?.showModal();
   }, []);
   return (

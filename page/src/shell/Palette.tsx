@@ -1,7 +1,9 @@
 /** All commands that are offered now, found by typing parts of their names. */
 import { useSignal } from "@preact/signals";
+import { useMemo } from "preact/hooks";
 import { Dialog } from "./Dialog.tsx";
 import { Keys } from "./Help.tsx";
+import { typedEarly } from "./keys.ts";
 import { commands, type Command } from "./panels.ts";
 import { dialog } from "./window.ts";
 
@@ -15,7 +17,7 @@ export function found(all: readonly Command[], typed: string): Command[] {
 }
 
 export function Palette() {
-  const typed = useSignal("");
+  const typed = useSignal(useMemo(typedEarly, []));
   const at = useSignal(0);
   const offered = commands.value.filter((one) => (one.when?.value ?? true) && one.id !== "palette");
   // One name is offered once: a room that knows better has registered it later.

@@ -6,7 +6,8 @@ import { Loaded, offered } from "./Loaded.tsx";
 import { folded, sizeOf } from "./layout.ts";
 import { Messages } from "./Messages.tsx";
 import { Palette } from "./Palette.tsx";
-import { standing, type Slot } from "./panels.ts";
+import { part, standing, type Part, type Slot } from "./panels.ts";
+import { goTo, PLACES } from "./places.ts";
 import { Splitter } from "./Splitter.tsx";
 import { Tabs } from "./Tabs.tsx";
 import { dialog } from "./window.ts";
@@ -32,7 +33,7 @@ function Sized() {
   }, [left, right, height]);
   const classes = ["body", folded.value.left && "no-left", folded.value.right && "no-right", !below && "no-below"];
   return (
-    <div class={classes.filter(Boolean).join(" ")} ref={element}>
+    <div class={classes.filter(Boolean).join(" ")} data-part={part.value} ref={element}>
       <nav class="slot left" aria-label="Project">
         <All slot="left" />
       </nav>
@@ -52,9 +53,38 @@ function Sized() {
   );
 }
 
+/** For who goes by Tab: seen when it has the focus. */
+function Skip() {
+  return (
+    <nav class="skip" aria-label="Parts">
+      {PLACES.map((place) => (
+        <button key={place.title} onClick={() => goTo(place)}>
+          {place.title}
+        </button>
+      ))}
+    </nav>
+  );
+}
+
+const PARTS: readonly [Part, string][] = [["left", "Project"], ["main", "Drawing"], ["right", "Fields"]];
+
+/** The switch of a phone between the parts of the window. */
+function Switch() {
+  return (
+    <nav class="parts" aria-label="Shown part">
+      {PARTS.map(([of, title]) => (
+        <button key={of} aria-pressed={part.value === of} onClick={() => (part.value = of)}>
+          {title}
+        </button>
+      ))}
+    </nav>
+  );
+}
+
 export function Shell() {
   return (
     <>
+      <Skip />
       <Banner />
       <header class="slot top">
         <All slot="top" />
@@ -63,6 +93,7 @@ export function Shell() {
       <footer class="slot bottom">
         <All slot="bottom" />
       </footer>
+      <Switch />
       <Messages />
       {dialog.value === "commands" && <Palette />}
       {dialog.value === "keys" && <Help />}

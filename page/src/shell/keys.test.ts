@@ -1,7 +1,7 @@
 // @vitest-environment happy-dom
 import { signal } from "@preact/signals";
-import { beforeEach, describe, expect, it, vi } from "vitest";
-import { commandOf, followKeys, nameOf, written } from "./keys.ts";
+import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import { commandOf, followKeys, nameOf, typedEarly, written } from "./keys.ts";
 import { addCommand, commands } from "./panels.ts";
 
 const key = (key: string, more: Partial<KeyboardEvent> = {}) =>
@@ -20,7 +20,9 @@ describe("names of keys", () => {
 });
 
 describe("commands of keys", () => {
+  let end = () => {};
   beforeEach(() => (commands.value = []));
+  afterEach(() => end());
 
   it("takes the last one that is offered", () => {
     const offered = signal(false);
@@ -35,7 +37,7 @@ describe("commands of keys", () => {
   it("leaves a letter to the field where it is typed", () => {
     const act = vi.fn();
     addCommand({ id: "a", title: "A", keys: ["F", "Ctrl+Enter"], act });
-    followKeys();
+    end = followKeys();
     document.body.innerHTML = "<input><button>b</button>";
     const press = (at: Element, name: string, ctrlKey = false) =>
       at.dispatchEvent(new KeyboardEvent("keydown", { key: name, ctrlKey, bubbles: true, cancelable: true }));
@@ -49,7 +51,7 @@ describe("commands of keys", () => {
   it("leaves Space to a button that was reached by keys, and takes it after a click", () => {
     const act = vi.fn();
     addCommand({ id: "a", title: "A", keys: ["Space"], act });
-    followKeys();
+    end = followKeys();
     document.body.innerHTML = "<button>b</button>";
     const button = document.querySelector("button")!;
     const press = () => button.dispatchEvent(new KeyboardEvent("keydown", { key: " ", bubbles: true, cancelable: true }));
@@ -58,6 +60,22 @@ describe("commands of keys", () => {
     expect(act).toHaveBeenCalledTimes(0);
     button.dispatchEvent(new PointerEvent("pointerdown", { bubbles: true }));
     press();
-    expect(act).toHaveBeenCalled();
+    expect(act).toHaveBeenCalledTimes(1);
+  });
+
+  it("keeps letters for a dialog that has not come yet", () => {
+    const act = vi.fn();
+    let isOver = false;
+    addCommand({ id: "a", title: "A", keys: ["E"], act });
+    addCommand({ id: "b", title: "B", keys: ["Ctrl+K"], act: () => (isOver = true) });
+    end = followKeys(() => isOver);
+    document.body.innerHTML = "<p></p>";
+    const press = (key: string, ctrlKey = false) =>
+      document.body.dispatchEvent(new KeyboardEvent("keydown", { key, ctrlKey, bubbles: true, cancelable: true }));
+    press("k", true);
+    for (const letter of "exe") press(letter);
+    expect(typedEarly()).toBe("exe");
+    expect(act).not.toHaveBeenCalled();
+    expect(typedEarly()).toBe("");
   });
 });

@@ -18,6 +18,9 @@ export function nameOf(event: Pick<KeyboardEvent, "key" | "ctrlKey" | "metaKey" 
 /** The button that has the focus because it was pressed with the pointer: nobody means it by Space. */
 let pointed: Element | null = null;
 
+/** Whether a button has the focus because it was pressed with the pointer. */
+export const isPointed = (at: Element): boolean => at === pointed;
+
 const BUTTONS = "button, a, summary, [role=tab]";
 
 /** What a key does where the focus is: in a field it types, on a button Space and Enter press it. */
@@ -40,21 +43,44 @@ export function commandOf(name: string): Command | undefined {
   return commands.peek().findLast((one) => one.keys?.includes(name) && (one.when?.peek() ?? true));
 }
 
-export function followKeys(): void {
+/** Letters that were typed after the key of a dialog, before its field was there. */
+let early = "";
+
+/** What was typed for a field that had not come yet; it is the field's from now on. */
+export function typedEarly(): string {
+  const found = early;
+  early = "";
+  return found;
+}
+
+/** A key for a dialog that is on its way: the page does nothing with it. */
+function keepForDialog(event: KeyboardEvent): void {
+  event.preventDefault();
+  if (event.key.length === 1 && !event.ctrlKey && !event.metaKey && !event.altKey) early += event.key;
+}
+
+/** Have commands done by their keys, until the returned function is called; none while `isOver` says that a dialog is over the window. */
+export function followKeys(isOver: () => boolean = () => false): () => void {
+  const end = new AbortController();
+  const { signal } = end;
   addEventListener("pointerdown", (event) => {
     pointed = event.target instanceof Element ? event.target.closest(BUTTONS) : null;
-  });
+  }, { signal });
   addEventListener("focusin", (event) => {
     if (event.target !== pointed) pointed = null;
-  });
+  }, { signal });
   addEventListener("keydown", (event) => {
     if (event.defaultPrevented || event.isComposing) return;
+    const isInside = event.target instanceof Element && event.target.closest("dialog");
+    if (isOver() && !isInside) return keepForDialog(event);
+    early = "";
     const name = nameOf(event);
     const command = isTaken(event, name) ? undefined : commandOf(name);
     if (!command) return;
     event.preventDefault();
     command.act();
-  });
+  }, { signal });
+  return () => end.abort();
 }
 
 const SHOWN: Record<string, string> = { ArrowLeft: "←", ArrowRight: "→", ArrowUp: "↑", ArrowDown: "↓" };

@@ -1,7 +1,7 @@
 /** Sizes of the window's sides in px, and which are folded. */
 import { effect, signal } from "@preact/signals";
 import { keep, kept } from "./kept.ts";
-import { shown, type Slot } from "./panels.ts";
+import { part, shown, type Slot } from "./panels.ts";
 
 export type Side = "left" | "right" | "below";
 
@@ -30,7 +30,11 @@ export function resize(side: Side, size: number): void {
   sizes.value = { ...sizes.peek(), [side]: within(side, size) };
 }
 
+/** The window is that of a phone, which shows one part; base.css has the same width. */
+export const isSmall = (): boolean => matchMedia("(max-width: 700px)").matches;
+
 export function fold(side: Side): void {
+  if (side !== "below" && isSmall()) return void (part.value = part.peek() === side ? "main" : side);
   folded.value = { ...folded.peek(), [side]: !folded.peek()[side] };
 }
 

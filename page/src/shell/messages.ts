@@ -18,6 +18,10 @@ export interface Action {
   act: () => void;
 }
 
+/** The level of the worst of some messages; null without any. */
+export const worstOf = (all: readonly Told[]): Told["level"] | null =>
+  (["error", "warning", "note"] as const).find((level) => all.some((told) => told.level === level)) ?? null;
+
 let count = 0;
 export const messages = signal<Told[]>([]);
 

@@ -47,7 +47,13 @@ export function standing(slot: Slot): Panel | undefined {
   return all.find((panel) => panel.id === shown.value[slot]) ?? all[0];
 }
 
+/** The part of the window that a phone shows: it has room for one. */
+export type Part = "left" | "main" | "right";
+export const part = signal<Part>("main");
+
 export function show(id: string): void {
   const panel = panels.peek().find((one) => one.id === id);
-  if (panel) shown.value = { ...shown.peek(), [panel.slot]: id };
+  if (!panel) return;
+  shown.value = { ...shown.peek(), [panel.slot]: id };
+  part.value = panel.slot === "right" || panel.slot === "left" ? panel.slot : "main";
 }

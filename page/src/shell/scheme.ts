@@ -1,6 +1,7 @@
 /** Light or dark: as the system says, unless the user chose. */
 import { effect, signal } from "@preact/signals";
 import { keep, kept } from "./kept.ts";
+import { say } from "./messages.ts";
 
 export type Scheme = "system" | "light" | "dark";
 export const SCHEMES: readonly Scheme[] = ["system", "light", "dark"];
@@ -15,6 +16,13 @@ export function followScheme(): void {
   });
 }
 
+const isDark = (): boolean => matchMedia("(prefers-color-scheme: dark)").matches;
+
+/** The other one of light and dark; by the system where it says the same, so that each press changes what is seen. */
 export function nextScheme(): void {
-  scheme.value = SCHEMES[(SCHEMES.indexOf(scheme.peek()) + 1) % SCHEMES.length]!;
+  const system = isDark() ? "dark" : "light";
+  const seen = scheme.peek() === "system" ? system : scheme.peek();
+  const next = seen === "dark" ? "light" : "dark";
+  scheme.value = next === system ? "system" : next;
+  say("note", `Theme: ${scheme.value === "system" ? `as the system, ${system}` : scheme.value}.`);
 }

@@ -5,8 +5,9 @@ import { jobs } from "../state/jobs.ts";
 import { project } from "../state/project.ts";
 import { followKeys } from "./keys.ts";
 import { fold, remember } from "./layout.ts";
+import { toOrFromProject } from "./places.ts";
 import { addCommand } from "./panels.ts";
-import { followScheme, nextScheme } from "./scheme.ts";
+import { followScheme, nextScheme, scheme } from "./scheme.ts";
 
 export type DialogName = "commands" | "keys";
 export const dialog = signal<DialogName | null>(null);
@@ -24,13 +25,20 @@ export const title = computed(() => {
 export function register(): void {
   addCommand({ id: "palette", title: "Commands", keys: ["Ctrl+K"], act: () => (dialog.value = "commands") });
   addCommand({ id: "help", title: "Keys", keys: ["?"], act: () => (dialog.value = "keys") });
-  addCommand({ id: "scheme", title: "Light, dark, or as the system", act: nextScheme });
-  addCommand({ id: "fold left", title: "Show or hide the project", keys: ["Ctrl+B"], act: () => fold("left") });
+  addCommand({
+    id: "scheme",
+    get title() {
+      return `Theme: ${scheme.value} (light, dark, or as the system)`;
+    },
+    act: nextScheme,
+  });
+  addCommand({ id: "fold left", title: "Show or hide the project", act: () => fold("left") });
+  addCommand({ id: "project", title: "Go to the project; from there, hide it", keys: ["Ctrl+B"], act: toOrFromProject });
   addCommand({ id: "fold right", title: "Show or hide the inspector", keys: ["Ctrl+I"], act: () => fold("right") });
   addCommand({ id: "fold below", title: "Show or hide the strips", act: () => fold("below") });
   addCommand({ id: "messages", title: "Messages", act: () => (listed.value = !listed.peek()) });
   remember();
-  followKeys();
+  followKeys(() => dialog.peek() !== null);
   followScheme();
   effect(() => void (document.title = title.value));
 }

@@ -1,11 +1,12 @@
 /**
  * What is chosen and typed and stands in no file, kept over a reload of the page in the same tab:
- * the scenario, the file that is open, and what the next run changes. Texts have their drafts.
+ * the scenario, the file that is open, what the next run changes, the runs that are ticked, and the one
+ * that is played. Texts have their drafts.
  */
 import { effect } from "@preact/signals";
 import { changes, type Changes } from "./changes.ts";
 import { project, type ProjectView } from "./project.ts";
-import { file, scenario } from "./selection.ts";
+import { file, scenario, source, ticked } from "./selection.ts";
 
 const NAME = "arcless.over";
 
@@ -14,12 +15,16 @@ interface Kept {
   scenario: string | null;
   file: string | null;
   changes: Changes;
+  /** Runs and measured files. */
+  ticked: string[];
+  /** The run that is played; null of one that is computed. */
+  run: string | null;
 }
 
 function found(): Kept | null {
   try {
     const kept = JSON.parse(sessionStorage.getItem(NAME) ?? "null") as Kept | null;
-    return typeof kept?.folder === "string" && typeof kept.changes === "object" ? kept : null;
+    return typeof kept?.folder === "string" && typeof kept.changes === "object" && Array.isArray(kept.ticked) ? kept : null;
   } catch {
     return null;
   }
@@ -28,7 +33,9 @@ function found(): Kept | null {
 function keep(): void {
   const folder = project.peek()?.folder;
   if (folder === undefined) return;
-  const kept: Kept = { folder, scenario: scenario.peek(), file: file.peek(), changes: changes.peek() };
+  const played = source.peek();
+  const run = played && "run" in played ? played.run : null;
+  const kept: Kept = { folder, scenario: scenario.peek(), file: file.peek(), changes: changes.peek(), ticked: ticked.peek(), run };
   try {
     sessionStorage.setItem(NAME, JSON.stringify(kept));
   } catch {
@@ -36,7 +43,7 @@ function keep(): void {
   }
 }
 
-function restore(kept: Kept, { folder, models, library }: ProjectView): void {
+function restore(kept: Kept, { folder, models, library, runs, measured }: ProjectView): void {
   const paths = new Set([...models, ...library].map((one) => one.path));
   if (kept.folder !== folder) return;
   if (kept.scenario !== null && paths.has(kept.scenario)) {
@@ -44,6 +51,9 @@ function restore(kept: Kept, { folder, models, library }: ProjectView): void {
     changes.value = kept.changes;
   }
   if (kept.file !== null && paths.has(kept.file)) file.value = kept.file;
+  const there = new Set([...runs, ...measured].map((one) => one.path));
+  ticked.value = kept.ticked.filter((path) => there.has(path));
+  if (kept.run !== null && there.has(kept.run)) source.value = { run: kept.run };
 }
 
 /** Take back what was kept, once the folder is known to be the same, and keep it when the page is left. */

@@ -11,6 +11,8 @@ export interface ModelEntry {
   kind: ModelKind;
   name: string;
   description: string;
+  /** Files of the folder that it names; not of a shipped model. */
+  names?: string[];
   /** Why the file cannot be read. */
   error?: string;
 }

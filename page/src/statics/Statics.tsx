@@ -2,6 +2,7 @@
 import { computed, signal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import type { Complaint } from "../connection/http.ts";
+import { isListed } from "../editor/checking.ts";
 import { wrong } from "../drawing/scene.ts";
 import { kind, opened, writable } from "../editor/documents.ts";
 import { followForm, form } from "../editor/formData.ts";
@@ -118,7 +119,7 @@ export function Statics() {
   return (
     <div class="statics" aria-busy={isAsking.value}>
       <Sliders />
-      {wrong.value && <p class="problem" role="alert">{wrong.value.text}</p>}
+      {wrong.value && <p class="problem" role="alert">{isListed(wrong.value.text) ? "The file has an error, told below its fields." : wrong.value.text}</p>}
       {found ? (
         <>
           <p class="draft" role="status">

@@ -1,10 +1,12 @@
 /** Define a study: tick fields, say how they are varied, which combinations, what comes out. */
 import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
+import { changes } from "../state/changes.ts";
+import { changesInWords } from "../state/fieldWords.ts";
 import { subject, told as named } from "../state/subject.ts";
 import { anotherName, followDefinition, save, saving, told, toldOf } from "./asking.ts";
 import {
-  change, columnName, definition, estimate, expressions, fields, fileOf, isCounted, leave, name, outputs, varied, vary, way,
+  asChanged, change, columnName, definition, estimate, expressions, fields, fileOf, fixed, isCounted, leave, name, outputs, varied, vary, way, withChanges,
   type How, type Varied,
 } from "./defining.ts";
 import { Combinations } from "./Combinations.tsx";
@@ -14,7 +16,8 @@ import { face } from "./vary.ts";
 
 function FieldList() {
   const search = useSignal("");
-  const all = fields.value?.fields ?? [];
+  const given = withChanges.value ? changes.value : {};
+  const all = (fields.value?.fields ?? []).map((own) => asChanged(own, given[own.field]));
   const words = search.value.toLowerCase().split(/\s+/).filter(Boolean);
   const found = all.filter((own) => words.every((word) => `${own.group} ${own.label} ${own.field}`.toLowerCase().includes(word)));
   return (
@@ -136,7 +139,7 @@ function Verdict() {
 }
 
 /** Where the form has a place for errors. */
-const PLACES = [["variables"], ["design"], ["outputs"], ["name"]];
+const PLACES = [["set"], ["variables"], ["design"], ["outputs"], ["name"]];
 
 /** What the buttons do with a name that is taken. */
 function words(): [start: string, only: string] {
@@ -147,6 +150,22 @@ function words(): [start: string, only: string] {
   }
   if (found?.begun === "same") return ["Go on with it", "Save only"];
   return found?.changes ? ["Change the file and start", "Change the file only"] : ["Save and start", "Save only"];
+}
+
+/** What the run bar changes: a row is that of a run only where the study has it, too. */
+function OfRunBar() {
+  const all = Object.entries(fixed.value);
+  if (all.length === 0) return <ErrorAt place={["set"]} />;
+  return (
+    <div class="bar">
+      <label>
+        <input type="checkbox" checked={withChanges.value} onChange={(event) => (withChanges.value = event.currentTarget.checked)} />{" "}
+        With the changes of the run bar: {changesInWords(all)}
+      </label>
+      {!withChanges.value && <span class="soft">All variants have the values of the file here.</span>}
+      <ErrorAt place={["set"]} />
+    </div>
+  );
 }
 
 export function Define() {
@@ -165,6 +184,7 @@ export function Define() {
         <ErrorAt place={["name"]} />
         <span class="soft">Scenario: {named(subject.value)}</span>
       </div>
+      <OfRunBar />
       <div class="halves">
         <FieldList />
         <div>

@@ -1,12 +1,12 @@
 /**
- * Parallel coordinates of the open study. Drag along an axis: only rows in that range stay; click on
- * the axis: all again; click on a line: it is picked. The fields above do the same from the keyboard.
+ * Parallel coordinates of the open study. A click picks the nearest line or point. Drag along an axis: only
+ * rows in that range stay; click on that axis: all again. The fields above do the same from the keyboard.
  */
 import { useRef } from "preact/hooks";
 import { useCanvas } from "../drawing/canvas.ts";
 import { shown, type Column } from "./columns.ts";
 import { count, picked, rows } from "./open.ts";
-import { axisAt, layout, lineAt, paint, type Picture } from "./parallel.ts";
+import { axisAt, layout, lineAt, paint, pointAt, type Picture } from "./parallel.ts";
 import { axes, brush, brushes, colouredBy, columns, criteria, isJudged, limits, places } from "./selection.ts";
 import { SHAPES, wordsOf } from "./verdicts.ts";
 
@@ -57,7 +57,10 @@ export function Parallel() {
     drag.current = null;
     if (!began || Math.abs(place(event).y - began.from) >= CLICK) return;
     const column = axes.peek()[began.axis];
-    if (column) brush(column.name, null);
+    if (!column) return;
+    const { y, width, height } = place(event);
+    if (brushes.peek()[column.name]) brush(column.name, null);
+    else picked.value = pointAt(picture(), width, height, began.axis, y);
   };
   return (
     <section class="parallel" aria-label="Parallel coordinates">
@@ -104,7 +107,7 @@ function Head({ column }: { column: Column }) {
       <strong title={column.description}>{column.label}</strong>
       <span class="unit">{column.unit}</span>
       {limits.value[column.name]?.map((limit) => (
-        <span class="limit" key={limit.source} title={limit.source}><span class="unseen">Limit </span>{wordsOf(limit)}</span>
+        <span class="limit" key={limit.source} title={`${limit.sign} ${limit.source}`}>{wordsOf(limit)}</span>
       ))}
       <span class="ends">
         <input aria-label={`Lowest ${column.label}`} inputMode="decimal" placeholder="from" value={typed(range?.[0])}

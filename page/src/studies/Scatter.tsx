@@ -9,7 +9,6 @@ import { count, picked, rows } from "./open.ts";
 import { axes, colouredBy, columns, places } from "./selection.ts";
 
 const [LEFT, RIGHT, TOP, BOTTOM] = [60, 12, 10, 34]; // px
-const NEAR = 12; // px
 const APART = 60; // px, between numbers of a scale
 
 interface Plane {
@@ -97,7 +96,7 @@ export function Scatter() {
     const [one, other] = [chosen(0), chosen(1)];
     const on = one && other && plane(one, other, box.width, box.height);
     if (!on) return;
-    let [best, least] = [null as number | null, NEAR];
+    let [best, least] = [null as number | null, Infinity];
     for (const at of places.peek()) {
       const [x, y] = [one.number(rows[at]!), other.number(rows[at]!)];
       if (x === null || y === null) continue;

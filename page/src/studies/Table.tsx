@@ -12,12 +12,15 @@ const SPARE = 8;
 
 const sign = (at: Order, by: string) => (at.by !== by ? "none" : at.down ? "descending" : "ascending");
 
-function Title({ by, text, unit }: { by: string; text: string; unit?: string }) {
+/** Outputs first, then what was varied: what came of a variant is in sight without scrolling. */
+const inTable = () => [...columns.value].sort((a, b) => Number(a.kind === "variable") - Number(b.kind === "variable"));
+
+function Title({ by, text, unit, kept }: { by: string; text: string; unit?: string; kept?: string }) {
   const at = order.value;
   const act = () => (order.value = { by, down: at.by === by && !at.down });
   const arrow = at.by !== by ? "" : at.down ? " ↓" : " ↑";
   return (
-    <th aria-sort={sign(at, by)} scope="col">
+    <th aria-sort={sign(at, by)} scope="col" class={kept}>
       <button class="plain" onClick={act}>
         {text}{arrow}
         {unit && <small> {unit}</small>}
@@ -79,10 +82,10 @@ export function Table() {
       <table aria-rowcount={all.length + 1}>
         <thead>
           <tr>
-            <Title by="variant" text="Variant" />
+            <Title by="variant" text="Variant" kept="kept" />
+            {isJudged.value && <Title by="verdict" text="Verdict" kept="kept second" />}
+            {inTable().map(({ name, label, unit }) => <Title key={name} by={name} text={label} unit={unit} />)}
             <Title by="status" text="State" />
-            {isJudged.value && <Title by="verdict" text="Verdict" />}
-            {columns.value.map(({ name, label, unit }) => <Title key={name} by={name} text={label} unit={unit} />)}
             <th scope="col">Error</th>
           </tr>
         </thead>
@@ -94,12 +97,12 @@ export function Table() {
             return (
               <tr key={variant} aria-rowindex={first + place + 2} class={variant === picked.value ? "picked" : statusOf(row)}
                 aria-current={variant === picked.value ? "true" : undefined} onClick={() => (picked.value = variant)}>
-                <td>{variant}</td>
-                <td class="words">{statusOf(row)}</td>
-                {isJudged.value && <td class="words"><Verdict word={verdictOf(row)} isWord /></td>}
-                {columns.value.map((column) => (
+                <td class="kept">{variant}</td>
+                {isJudged.value && <td class="words kept second"><Verdict word={verdictOf(row)} isWord /></td>}
+                {inTable().map((column) => (
                   <td key={column.name}><Verdict word={verdictOn(column, row, criteria.value)} /> {column.text(row)}</td>
                 ))}
+                <td class="words">{statusOf(row)}</td>
                 <td class="words error" title={errorOf(row)}>{errorOf(row)}</td>
               </tr>
             );

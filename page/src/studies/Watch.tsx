@@ -4,8 +4,9 @@ import { useEffect } from "preact/hooks";
 import { ask } from "../connection/http.ts";
 import { complain, say } from "../shell/messages.ts";
 import { show } from "../shell/panels.ts";
+import { openModel } from "../state/opening.ts";
 import { project, readProject } from "../state/project.ts";
-import { file, scenario, source } from "../state/selection.ts";
+import { source } from "../state/selection.ts";
 import { run } from "./asking.ts";
 import { errorOf, statusOf, variantOf } from "./columns.ts";
 import { about, count, current, follow, openStudy, picked, progress, rows } from "./open.ts";
@@ -67,12 +68,12 @@ function Picked() {
   };
   const open = async () => {
     const made = await written();
-    scenario.value = file.value = made;
+    openModel(made, "scenario");
     say("note", `Variant ${number} is the scenario ${made}.`);
   };
   const start = async () => {
     const made = await written();
-    scenario.value = file.value = made;
+    openModel(made, "scenario");
     const { job } = await ask<{ job: { id: string } }>("runs", { body: { scenario: made, changes: {}, record_motion: true, certainty: false } });
     source.value = { job: job.id };
     show("drawing");

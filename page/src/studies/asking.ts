@@ -2,9 +2,10 @@
 import { batch, effect, signal } from "@preact/signals";
 import { ask, newest, type Complaint } from "../connection/http.ts";
 import { complain } from "../shell/messages.ts";
+import { changes } from "../state/changes.ts";
 import { project, readProject } from "../state/project.ts";
 import { subject } from "../state/subject.ts";
-import { definition, fields, fileOf, freeName, name, scenario, varied, vary, type Fields } from "./defining.ts";
+import { asChanged, definition, fields, fileOf, freeName, name, scenario, varied, vary, withChanges, type Fields } from "./defining.ts";
 import { openStudy } from "./open.ts";
 import { isAsked, wanted } from "./vary.ts";
 
@@ -83,7 +84,7 @@ export function followDefinition(): () => void {
       if (!found || asked === null) return;
       const own = found.fields.find(({ field }) => isAsked(field, asked));
       wanted.value = null;
-      if (own) vary(own);
+      if (own) vary(asChanged(own, withChanges.peek() ? changes.peek()[own.field] : undefined));
       else complain(`${asked} is no number of this scenario that can be varied.`);
     }),
   ];

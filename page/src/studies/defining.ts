@@ -1,5 +1,6 @@
 /** A study that is being defined: what is varied and how, which combinations, what comes out. Values as typed. */
 import { computed, signal } from "@preact/signals";
+import { changes, type Changed, type Changes } from "../state/changes.ts";
 
 export interface VariedField {
   field: string;
@@ -84,6 +85,25 @@ export const aims = signal<Record<string, Aim>>({ std_force_N: { ...NO_AIM, aim:
 /** Expressions beside the keys above, by name. */
 export const expressions = signal<{ name: string; expression: string }[]>([]);
 
+/** Whether all variants have what the run bar changes, too. */
+export const withChanges = signal(true);
+
+/** What the run bar changes and no variable takes over. */
+export const fixed = computed((): Changes => {
+  const taken = new Set(varied.value.map(({ field }) => field));
+  return Object.fromEntries(Object.entries(changes.value).filter(([field]) => !taken.has(field)));
+});
+
+/** A field with the value that the run bar gives it, where that is in the field's unit: ranges begin around it. */
+export function asChanged(own: VariedField, value: Changed | undefined): VariedField {
+  if (value === undefined) return own;
+  const typed = String(value).trim();
+  const number = Number(own.unit && typed.endsWith(own.unit) ? typed.slice(0, -own.unit.length) : typed);
+  if (!Number.isFinite(number) || own.value === 0 || (own.unit && !typed.endsWith(own.unit))) return { ...own, typed };
+  const scale = (end: number) => Number(((end * number) / own.value).toPrecision(4));
+  return { ...own, typed, value: number, offered: own.offered && [scale(own.offered[0]), scale(own.offered[1])] };
+}
+
 /** A name for a column: letters, digits and _, and none that is taken. */
 export function columnName(label: string, taken: readonly string[]): string {
   const plain = label.toLowerCase().replace(/[^a-z0-9]+/g, "_").replace(/^[_0-9]+|_+$/g, "") || "variable";
@@ -166,6 +186,8 @@ export const definition = computed(() => {
   return {
     name: name.value.trim(),
     scenario: chosen,
+    // null takes away what a file of that name has.
+    set: withChanges.value && Object.keys(fixed.value).length ? fixed.value : null,
     variables: Object.fromEntries(varied.value.map((one) => [one.name, variable(one, isCounted(way.value))])),
     design: design(all),
     // A key is its own name: it is headed by what the quantity is called.

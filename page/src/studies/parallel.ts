@@ -5,11 +5,11 @@ import { extent, shown, variantOf, type Brushes, type Column } from "./columns.t
 import type { Criterion, Row } from "./open.ts";
 import { SHAPES, judgementsOf, verdictOn, type Limit, type Shape } from "./verdicts.ts";
 
-/** Room in px above and below the axes, for numbers. */
-export const TOP = 16;
-export const BOTTOM = 16;
-/** A line so near in px is the one that is pointed at. */
-const NEAR = 8;
+/** Room in px above and below the axes, for numbers that lie beyond the shapes at their ends. */
+export const TOP = 26;
+export const BOTTOM = 26;
+/** From the end of an axis to its number, in px: beyond the shape of the picked row. */
+const CLEAR = 10;
 /** Half the width in px of a limit across its axis, and of a shape on it. */
 const [BAR, SHAPE] = [11, 3.5];
 /** With more rows than this shapes lie over each other; that of the picked row stays. */
@@ -120,9 +120,9 @@ function axes(sheet: Sheet, on: Layout, picture: Picture): void {
     context.fillStyle = colour("ink");
     if (ends) {
       context.textBaseline = "bottom";
-      context.fillText(shown(ends[1]), x, TOP);
+      context.fillText(shown(ends[1]), x, TOP - CLEAR);
       context.textBaseline = "top";
-      context.fillText(shown(ends[0]), x, height - BOTTOM);
+      context.fillText(shown(ends[0]), x, height - BOTTOM + CLEAR);
     }
     limits(sheet, on, axis, picture.limits[column.name] ?? []);
     const range = brushes[column.name];
@@ -210,14 +210,27 @@ export function axisAt(picture: Picture, width: number, height: number, x: numbe
   return at < 0 ? null : at;
 }
 
-/** The variant whose line passes a point between two axes; null where none is near. */
+/** The variant with the value nearest to a height on an axis; null where no row has one. */
+export function pointAt(picture: Picture, width: number, height: number, axis: number, y: number): number | null {
+  const on = layout(picture, width, height);
+  let [best, least] = [null as number | null, Infinity];
+  for (const at of picture.places) {
+    const row = picture.rows[at]!;
+    const value = picture.columns[axis]?.number(row) ?? null;
+    const distance = value === null ? Infinity : Math.abs(on.y(axis, value) - y);
+    if (distance < least) [best, least] = [variantOf(row), distance];
+  }
+  return best;
+}
+
+/** The variant whose line passes nearest to a point between two axes; null beside them. */
 export function lineAt(picture: Picture, width: number, height: number, x: number, y: number): number | null {
   const on = layout(picture, width, height);
   const axis = picture.columns.findIndex((_, one) => x >= on.x(one) && x <= on.x(one + 1) && one + 1 < picture.columns.length);
   const [left, right] = [picture.columns[axis], picture.columns[axis + 1]];
   if (!left || !right) return null;
   const share = (x - on.x(axis)) / (on.x(axis + 1) - on.x(axis));
-  let [best, least] = [null as number | null, NEAR];
+  let [best, least] = [null as number | null, Infinity];
   for (const at of picture.places) {
     const row = picture.rows[at]!;
     const [one, other] = [left.number(row), right.number(row)];

@@ -1,9 +1,12 @@
 import { expect, test } from "vitest";
 import { BUCKETS, bucketOf } from "./colours.ts";
 import { columnsOf, extent, kept, shown, sorted, variantOf } from "./columns.ts";
-import { aimAt, amount, columnName, definition, fileOf, freeName, name, outputs, sample, scenario, size, varied, vary, way, type VariedField } from "./defining.ts";
+import { changes } from "../state/changes.ts";
+import {
+  aimAt, amount, asChanged, columnName, definition, fileOf, freeName, name, outputs, sample, scenario, size, varied, vary, way, withChanges, type VariedField,
+} from "./defining.ts";
 import type { Definition, Row } from "./open.ts";
-import { layout, lineAt } from "./parallel.ts";
+import { layout, lineAt, pointAt } from "./parallel.ts";
 import { limitsOf, verdictOf, verdictOn, wordsOf } from "./verdicts.ts";
 
 const about: Definition = {
@@ -47,7 +50,10 @@ test("the line of a variant is found where it passes, and places on axes are rea
   const x = (on.x(0) + on.x(1)) / 2;
   const y = (on.y(0, 22) + on.y(1, 10)) / 2;
   expect(lineAt(picture, 400, 300, x, y + 1)).toBe(2);
-  expect(lineAt({ ...picture, places: [0] }, 400, 300, x, y)).toBeNull();
+  expect(lineAt({ ...picture, places: [0] }, 400, 300, x, y)).toBe(1);
+  expect(lineAt(picture, 400, 300, on.x(1) + 30, y)).toBeNull();
+  expect(pointAt(picture, 400, 300, 1, on.y(1, 10) - 3)).toBe(2);
+  expect(pointAt({ ...picture, places: [] }, 400, 300, 1, 0)).toBeNull();
 });
 
 test("colours are of the whole scale and of no other", () => {
@@ -69,7 +75,7 @@ test("what is ticked becomes the study as its file has it", () => {
   vary(tension);
   vary({ ...tension, field: "line.messenger_wire.tension" });
   expect(definition.value).toEqual({
-    name: "my study", scenario: "own.yaml", design: { kind: "grid" }, outputs: ["std_force_N"],
+    name: "my study", scenario: "own.yaml", set: null, design: { kind: "grid" }, outputs: ["std_force_N"],
     variables: {
       tension: { field: "line.contact_wire.tension", range: ["19.8 kN", "24.2 kN"], count: 5 },
       tension_2: { field: "line.messenger_wire.tension", range: ["19.8 kN", "24.2 kN"], count: 5 },
@@ -79,6 +85,25 @@ test("what is ticked becomes the study as its file has it", () => {
   sample.value = "sobol";
   expect(definition.value?.design).toEqual({ kind: "sobol", count: 32 });
   expect(definition.value?.variables["tension"]).toEqual({ field: "line.contact_wire.tension", range: ["19.8 kN", "24.2 kN"] });
+});
+
+test("all variants have what the run bar changes, but for what is varied", () => {
+  scenario.value = "own.yaml";
+  varied.value = [];
+  vary(tension);
+  changes.value = { speed: "300 km/h", "line.contact_wire.tension": "17 kN", "pantographs.0.model": "dsa-250" };
+  expect(definition.value?.set).toEqual({ speed: "300 km/h", "pantographs.0.model": "dsa-250" });
+  withChanges.value = false;
+  expect(definition.value?.set).toBeNull();
+  withChanges.value = true;
+  changes.value = {};
+  expect(definition.value?.set).toBeNull();
+});
+
+test("the range of a field begins around the value that the run bar gives it", () => {
+  expect(asChanged(tension, undefined)).toBe(tension);
+  expect(asChanged(tension, "11 kN")).toEqual({ ...tension, typed: "11 kN", value: 11, offered: [9.9, 12.1] });
+  expect(asChanged(tension, "11000 N")).toEqual({ ...tension, typed: "11000 N" });
 });
 
 test("a search has the aims and bounds of the outputs that are ticked, and of no others", () => {
@@ -121,9 +146,10 @@ test("limits of an output are told by row, and a row's verdict on it is the wors
   expect(judged.map((row) => verdictOn(sigma, row, criteria))).toEqual(["not met", "met", null]);
   expect(verdictOn(columns[0]!, judged[0]!, criteria)).toBeNull();
   expect(judged.map(verdictOf)).toEqual(["not met", "met", "not judged"]);
-  expect(limitsOf(sigma, judged, criteria).map(wordsOf)).toEqual(["≤ 28 to 31", "≤ 40"]);
+  expect(limitsOf(sigma, judged, criteria).map(wordsOf)).toEqual(["limit 28 to 31, by variant", "limit ≤ 40"]);
   const bound = { ...sigma, output: { ...sigma.output!, bounds: { at_least: 1, at_most: null } } };
-  expect(limitsOf(bound, [], criteria).map(wordsOf)).toEqual(["≥ 1"]);
+  expect(limitsOf(bound, [], criteria).map(wordsOf)).toEqual(["limit ≥ 1"]);
+  expect(wordsOf({ sign: "≤", low: 34.24, high: 34.6, source: "" })).toBe("limit 34.24 to 34.60, by variant");
   // An axis is lengthened by a limit that is near its values, and by none that is far from them.
   const picture = { columns, rows: judged, places: [0, 1], brushes: {}, coloured: null, picked: null, criteria, limits: { sigma: limitsOf(sigma, judged, criteria) } };
   expect(layout(picture, 400, 300).extents[1]).toEqual([10, 40]);

@@ -63,8 +63,10 @@ export function limitsOf(column: Column, rows: readonly Row[], criteria: readonl
   return found;
 }
 
-/** A limit in words: one number, or from where to where it goes with the variants. */
+/** A limit in words: with its relation, or from where to where it goes with the variants, which is no band that is allowed. */
 export function wordsOf(limit: Limit): string {
   const [low, high] = [shown(limit.low, DIGITS), shown(limit.high, DIGITS)];
-  return `${limit.sign} ${low === high ? high : `${low} to ${high}`}`;
+  if (low === high) return `limit ${limit.sign} ${high}`;
+  const decimals = Math.max(...[low, high].map((text) => (/^-?\d+\.\d+$/.test(text) ? text.split(".")[1]!.length : 0)));
+  return `limit ${[limit.low, limit.high].map((one, k) => (/e/.test([low, high][k]!) ? [low, high][k]! : one.toFixed(decimals))).join(" to ")}, by variant`;
 }

@@ -1,4 +1,4 @@
-"""Changes for the better and for the worse against the first run, in words."""
+"""Differences between two runs in one sentence: better, worse, the same."""
 
 from typing import TYPE_CHECKING
 

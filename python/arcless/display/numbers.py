@@ -13,3 +13,10 @@ def pair(value: float | None, uncertainty: float | None, decimals: int) -> str:
     text = number(value, decimals)
     sure = number(uncertainty, decimals)
     return text if uncertainty is None or not float(sure) else f"{text} ± {sure}"
+
+
+def difference(one: float | None, other: float | None, decimals: int) -> str:
+    """Return the difference of two numbers as they are printed, so that a reader finds it again."""
+    if one is None or other is None:
+        return number(None)
+    return number(round(one, decimals) - round(other, decimals), decimals)

@@ -19,14 +19,15 @@ Rows = Sequence[Mapping[str, Any]]
 MAX_WARNINGS = 50
 
 MARKS_MEAN = (
-    "The mark says how well a number is known. A limit that was not checked in a source (marks C,"
-    " C*, assumed) does not count."
+    "The mark says how well a number is known. All criteria are counted by their verdicts. A limit"
+    " that was not checked in a source (marks C, C*, assumed) cannot fail a run: a value beyond it"
+    " is not met (unverified)."
 )
 CERTAINTY_READS = (
     "A run that begins elsewhere within a span gives other numbers. The pantograph is the same at"
     " every start; the static force is that of the run, carried over by the base spring. A"
     " criterion is too close to tell where the distance between value and limit is smaller than"
-    " their uncertainty; it then does not count."
+    " their uncertainty; it then cannot fail a run."
 )
 
 # Address, title, figures of a section; those of an inner tuple stand next to each other.
@@ -111,6 +112,7 @@ def first_screen(run: RunData, drawn: Mapping[str, Sequence[Figure]]) -> dict[st
     return {
         "assessment": assessment,
         "verdict": summary.verdict(assessment),
+        "judged_on": summary.judged_on(run),
         "worst": summary.worst_place(run),
         "bullets": summary.grouped(summary.bullets(assessment)),
         "criteria": tables.criterion_rows(assessment),

@@ -5,6 +5,8 @@ from dataclasses import asdict, dataclass, replace
 from itertools import groupby, pairwise
 from typing import Any
 
+import numpy as np
+
 from arcless.assess import (
     MET,
     NOT_JUDGED,
@@ -21,12 +23,15 @@ from arcless.assess import (
     verdict_of,
 )
 from arcless.display.cards import SIGNS
-from arcless.display.numbers import number, pair
+from arcless.display.numbers import difference, number, pair
 from arcless.figures.run.along_track import worst
 from arcless.figures.run.run_data import RunData
 from arcless.figures.run.track import place_name
 from arcless.model import Scenario
 
+# Distance in m within which the end of a section is at a support. Larger, a span that is assessed
+# in part is not named; smaller, a rounding error names the next span.
+SAME_PLACE = 0.01
 # Part of a limit, in per cent, from which a distance to it is not said in per cent.
 MOST_PERCENT = 200.0
 # Length of a bar in the drawing, places of upper and lower limits on it, the least that is drawn.
@@ -129,6 +134,22 @@ def leading(assessment: Assessment) -> Criterion | None:
     return max(deviations, key=lambda one: one.value or 0.0, default=None)
 
 
+def judged_on(run: RunData) -> str:
+    """Return the section that the verdict is of, the spans in it, and who chose it, in words."""
+    begin, end = run.assessment.section_m
+    supports = run.supports
+    text = f"Judged on {begin:.0f}–{end:.0f} m"
+    if supports.size < 2:  # noqa: PLR2004 - a span has two supports
+        return f"{text}."
+    count = supports.size - 1
+    inside = (supports[1:] > begin + SAME_PLACE) & (supports[:-1] < end - SAME_PLACE)
+    numbers = np.flatnonzero(inside) + 1
+    if not numbers.size:
+        return f"{text}."
+    spans = f"spans {numbers[0]} to {numbers[-1]}" if numbers.size > 1 else f"span {numbers[0]}"
+    return f"{text}, {spans} of {count}."
+
+
 def worst_place(run: RunData) -> str:
     """Return the place with the largest deviation from the mean, in words."""
     pantograph, kind, x, force = worst(run)
@@ -162,7 +183,8 @@ def _item(criterion: Criterion) -> str:
     of = f", {criterion.pantograph}" if criterion.pantograph else ""
     unit = "" if criterion.unit == "1" else f" {criterion.unit}"
     side = "above" if value > limit else "below"
-    distance = f"{number(abs(value - limit), decimals)}{unit} {side} it"
+    apart = difference(max(value, limit), min(value, limit), decimals)
+    distance = f"{apart}{unit} {side} it"
     share = 100.0 * abs(value / limit - 1.0) if limit else MOST_PERCENT
     if share < MOST_PERCENT and words != TOO_CLOSE:
         distance += f" ({share:.0f} %)"

@@ -15,7 +15,7 @@ from arcless.assess import (
     verdict_of,
 )
 from arcless.assess.quantities import OF_LINE, OF_PANTOGRAPH, WEAR, label_of
-from arcless.display.numbers import number, pair
+from arcless.display.numbers import difference, number, pair
 from arcless.figures.run.energy import energy_terms, settled
 from arcless.figures.run.run_data import RunData
 
@@ -120,7 +120,7 @@ def criterion_row(c: Criterion) -> dict[str, Any]:
         "pantograph": c.pantograph or "",
         "value": pair(c.value, uncertainty_of(c.certainty), decimals),
         "limit": _limit(c, decimals),
-        "margin": number(c.margin, decimals),
+        "margin": _margin(c, decimals),
         "unit": "" if c.unit == "1" else c.unit,
         "verdict": verdict_of(asdict(c)),
         "state": "missed" if c.fails else verdict_of(asdict(c)).split(" (")[0],
@@ -129,6 +129,15 @@ def criterion_row(c: Criterion) -> dict[str, Any]:
         "note": c.note,
         "reason": _reason(c),
     }
+
+
+def _margin(criterion: Criterion, decimals: int) -> str:
+    """Return the distance to the limit, negative beyond it, of value and limit as printed."""
+    if criterion.value is None or criterion.limit is None:
+        return number(None)
+    if criterion.relation == "<=":
+        return difference(criterion.limit + criterion.tolerance, criterion.value, decimals)
+    return difference(criterion.value, criterion.limit - criterion.tolerance, decimals)
 
 
 def _limit(criterion: Criterion, decimals: int) -> str:

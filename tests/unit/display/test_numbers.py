@@ -1,6 +1,6 @@
 """Numbers as text."""
 
-from arcless.display.numbers import number, pair
+from arcless.display.numbers import difference, number, pair
 
 
 def test_a_number_has_a_real_minus_sign_and_a_dash_where_there_is_none() -> None:
@@ -16,3 +16,10 @@ def test_an_uncertainty_is_shown_where_the_decimals_show_it() -> None:
     assert pair(60.82, None, 1) == "60.8"
     assert pair(0.0, 0.0, 2) == "0.00"
     assert pair(None, None, 2) == "–"
+
+
+def test_a_difference_is_that_of_the_numbers_as_they_are_printed() -> None:
+    # 35.66 and 34.04 are 1.62 apart, and stand as 35.7 and 34.0.
+    assert difference(35.66, 34.04, 1) == "1.7"
+    assert difference(34.04, 35.66, 1) == "−1.7"
+    assert difference(35.66, None, 1) == "–"

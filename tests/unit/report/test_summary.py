@@ -11,6 +11,7 @@ from arcless.report.summary import (
     LENGTH,
     bullets,
     grouped,
+    judged_on,
     leading,
     verdict,
     worst_place,
@@ -134,6 +135,26 @@ def test_pantographs_stand_together_below_their_criterion() -> None:
     by_title = {group[0].title: [one.pantograph for one in group] for group in groups}
     assert by_title["standard deviation σ"] == ["front", "rear"]
     assert by_title["space required for the uplift at supports, 2·S0"] == [""]
+
+
+def test_a_distance_is_that_of_the_numbers_beside_it() -> None:
+    assessment = assess(synthetic_dataset())
+    (sigma,) = [c for c in assessment.criteria if c.name == "standard_deviation"]
+    # 1.62 N apart, and 1.7 N as they are printed.
+    missed = replace(sigma, value=35.66, limit=34.04, passed=False)
+    assert verdict(replace(assessment, criteria=[missed])).items == [
+        "standard deviation σ: 35.7 N, limit ≤ 34.0 N = 0.3 F_m, 1.7 N above it (5 %)"
+    ]
+
+
+def test_the_section_of_a_verdict_is_told_with_its_spans() -> None:
+    run = synthetic_dataset()
+    for section, words in (
+        ((150.0, 450.0), "Judged on 150–450 m, spans 4 to 9 of 12."),
+        ((100.0, 149.995), "Judged on 100–150 m, span 3 of 12."),
+        ((160.0, 240.0), "Judged on 160–240 m, spans 4 to 5 of 12."),
+    ):
+        assert judged_on(RunData(run, assess(run, section=section))) == words
 
 
 def test_the_worst_place_in_words() -> None:

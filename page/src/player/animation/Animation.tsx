@@ -5,7 +5,8 @@ import { useCanvas } from "../../drawing/canvas.ts";
 import { indexOf } from "../../drawing/lineIndex.ts";
 import { paintLine } from "../../drawing/linePainter.ts";
 import { ghost, layers, moved, shown, sight, whole } from "../../drawing/scene.ts";
-import { cursor, exaggeration, range } from "../../state/selection.ts";
+import { leave, point } from "../../state/pointing.ts";
+import { exaggeration, range } from "../../state/selection.ts";
 import { pause, step, toggle } from "../clock.ts";
 import { MotionTools } from "../MotionTools.tsx";
 import { stepSpan, stepWorst } from "../places.ts";
@@ -50,9 +51,9 @@ function Side() {
       onPointerMove={(event) => {
         const [x0, x1] = sight.peek();
         const { clientWidth: width, clientHeight: height } = event.currentTarget;
-        cursor.value = camera({ range: [x0, x1], width, height, exaggeration: 1, middle: 0 }).metres(event.offsetX);
+        point(camera({ range: [x0, x1], width, height, exaggeration: 1, middle: 0 }).metres(event.offsetX));
       }}
-      onPointerLeave={() => (cursor.value = null)}
+      onPointerLeave={leave}
     />
   );
 }

@@ -1,7 +1,8 @@
 /** Gives the motion of a report to the player. */
+import { drawPlace } from "../../drawing/placeMark.ts";
 import { addLayer } from "../../drawing/scene.ts";
 import { clock } from "../../state/selection.ts";
-import { worst } from "../places.ts";
+import { worst } from "../../state/worst.ts";
 import { history, present, store, viewers } from "../player.ts";
 import { followCamera } from "../views/camera.ts";
 import { stored, topOf } from "../views/columns.ts";
@@ -19,11 +20,12 @@ export function start(packed: Packed): void {
   present({ geometry, pantographs, row_s, wires: true, search: null }, times[0]!, times.at(-1)!, false);
   clock.time_s.value = packed.begin_s;
   clock.rate.value = SLOW;
-  worst.value = packed.worst;
+  worst.value = packed.worst.map((position_m) => ({ position_m, force_N: null }));
   const raw = packed.force.raw.map(columnOf);
   stored.value = { raw, filtered: packed.force.filtered.map(columnOf), top: topOf(raw) };
   addLayer({ id: "velocity", order: 0, view: "side", draw: drawVelocity });
   addLayer({ id: "pantographs", order: 1, view: "side", draw: drawSide });
+  addLayer({ id: "place", order: 3, view: "side", draw: drawPlace });
   addLayer({ id: "pantographs in plan", order: 1, view: "plan", draw: drawPlan });
   viewers.add(followCamera);
 }

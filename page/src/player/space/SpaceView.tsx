@@ -15,9 +15,20 @@ const LABELS = 12;
 /** Labels nearer than so many px to one another would cover one another: the nearer support has it. */
 const WIDE = 130;
 const HIGH = 18;
+/** A mast that is lower than this on the screen has no label, px. */
+const ROOM = 4 * HIGH;
+/** Between a mast and its label, px. */
+const GAP = 4;
 
 function canDraw(): boolean {
   return document.createElement("canvas").getContext("webgl2") !== null;
+}
+
+/** Left end of a label right of its mast, or left of it where it would be cut; `null` where it is cut there too. px */
+export function beside(mast: number, label: number, width: number): number | null {
+  if (mast < 0 || mast > width) return null;
+  if (mast + GAP + label <= width) return mast + GAP;
+  return mast - GAP - label >= 0 ? mast - GAP - label : null;
 }
 
 const still = newState({ wires: [], spatial: false, droppers: 0, supports: 0, pantographs: 0 });
@@ -32,13 +43,17 @@ function label(stage: Stage, names: HTMLElement, width: number, height: number):
   near.forEach((support, at) => {
     const name = (names.children[at] ?? names.appendChild(document.createElement("span"))) as HTMLElement;
     const [x, y, z] = support.arms[0]?.to ?? [support.x_m, 0, 6];
-    const place = stage.project(x, z + 0.6, -y, width, height);
-    const free = place && taken.every(([left, top]) => Math.abs(left - place[0]) > WIDE || Math.abs(top - place[1]) > HIGH);
-    name.hidden = !free;
-    if (!place || !free) return;
-    taken.push(place);
+    // Low at the mast, where no wire is; a far mast has no room for it.
+    const [foot, top] = [0, z].map((up) => stage.project(x, up, -y, width, height));
+    const place = foot && top && foot[1] - top[1] > ROOM ? stage.project(x, z / 3, -y, width, height) : null;
+    name.hidden = false; // what is hidden has no width
     name.textContent = `${support.name} · ${support.x_m.toFixed(0)} m`;
-    name.style.transform = `translate(${place[0].toFixed(0)}px, ${place[1].toFixed(0)}px) translate(-50%, -100%)`;
+    const left = place && beside(place[0], name.offsetWidth, width);
+    const isIn = place !== null && left !== null && place[1] > HIGH / 2 && place[1] < height - HIGH;
+    name.hidden = !isIn || taken.some(([x, y]) => Math.abs(x - left) <= WIDE && Math.abs(y - place[1]) <= HIGH);
+    if (!isIn || name.hidden) return;
+    taken.push([left, place[1]]);
+    name.style.transform = `translate(${left.toFixed(0)}px, ${place[1].toFixed(0)}px) translate(0, -50%)`;
   });
   for (let at = near.length; at < names.children.length; at++) (names.children[at] as HTMLElement).hidden = true;
 }
@@ -102,7 +117,7 @@ export function SpaceView() {
         aria-description="Arrow keys turn, Shift with arrow keys moves, plus and minus zoom."
       />
       <div class="names" ref={names} aria-hidden="true" />
-      <p class="scale">Displacements × {exaggeration.value}, the line at rest to scale</p>
+      <p class="scale">Displacements × {exaggeration.value}, the line at rest to scale · <i class="slack" aria-hidden="true" /> slack dropper</p>
     </div>
   );
 }

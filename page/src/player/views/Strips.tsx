@@ -6,13 +6,19 @@ import { useRef } from "preact/hooks";
 import { LEFT, RIGHT, ticks, zoomed } from "../../drawing/camera.ts";
 import { useCanvas, type Sheet } from "../../drawing/canvas.ts";
 import { isPlayed, shown, sight, whole } from "../../drawing/scene.ts";
-import { cursor, range } from "../../state/selection.ts";
+import { leave, point, pointed } from "../../state/pointing.ts";
+import { range } from "../../state/selection.ts";
+import { wentTo } from "../../state/worst.ts";
 import { standAt } from "../places.ts";
 import { history, scene, state } from "../player.ts";
 import { colourOf } from "./pantographs.ts";
 import { printing } from "./repaint.ts";
 import { columnEnds, stored, type Ends } from "./columns.ts";
 
+/** Room of the title above the scale and the lines, px. */
+const TOP = 19;
+/** Below the scale half a number has room, px. */
+const BOTTOM = 8;
 const HEIGHT_APART = 26; // px
 const ZOOM = 1.2;
 /** The scale of a strip ends at a multiple of this, so that it does not jump with each value. */
@@ -31,8 +37,8 @@ interface Axis extends Sheet {
 function axis(sheet: Sheet, high: number): Axis {
   const [x0, x1] = sight.value;
   const scale = Math.max(1, sheet.width - LEFT - RIGHT) / (x1 - x0);
-  const room = sheet.height - 16;
-  return { ...sheet, x0, x1, x: (metres) => LEFT + (metres - x0) * scale, y: (value) => 12 + room * (1 - value / high) };
+  const room = sheet.height - TOP - BOTTOM;
+  return { ...sheet, x0, x1, x: (metres) => LEFT + (metres - x0) * scale, y: (value) => TOP + room * (1 - value / high) };
 }
 
 function frame(on: Axis, high: number, unit: string, title: string, factor: number): void {
@@ -54,7 +60,7 @@ function frame(on: Axis, high: number, unit: string, title: string, factor: numb
   context.stroke();
   context.textAlign = "right";
   context.textBaseline = "top";
-  context.fillText(`${title}, ${unit}`, width - RIGHT, 0);
+  context.fillText(`${title}, ${unit}`, width - RIGHT, 2);
 }
 
 function cursors(on: Axis): void {
@@ -64,12 +70,13 @@ function cursors(on: Axis): void {
     context.strokeStyle = colour(name);
     context.lineWidth = width;
     context.beginPath();
-    context.moveTo(on.x(x), 0);
+    context.moveTo(on.x(x), TOP);
     context.lineTo(on.x(x), height);
     context.stroke();
   };
   state.current.pantographs.forEach((one, number) => line(one.position, colourOf(number), 1.5));
-  if (cursor.value !== null) line(cursor.value, "accent", 1);
+  if (wentTo.value) line(wentTo.value.position_m, "not_met", 1);
+  if (pointed.value !== null) line(pointed.value, "accent", 1);
 }
 
 function curve(on: Axis, ends: Ends, name: string, width: number): void {
@@ -168,7 +175,8 @@ function Strip({ paint, label, wheel }: Given) {
       class="strip"
       role="img"
       aria-label={label}
-      onPointerMove={(event) => (cursor.value = metres(event))}
+      onPointerMove={(event) => point(metres(event))}
+      onPointerLeave={leave}
       onClick={(event) => standAt(metres(event))}
       onWheel={(event) => {
         const line = shown.peek();

@@ -1,5 +1,6 @@
 """Warnings about a scenario or a line: allowed values that deserve a word to the user."""
 
+from collections.abc import Sequence
 from itertools import pairwise
 from math import atan, hypot, log1p, pi
 
@@ -11,6 +12,7 @@ from arcless.model.advice.wire_ends import end_notices
 from arcless.model.line.line import Line
 from arcless.model.line.parts.geometry import ASSUMED_SUPPLY
 from arcless.model.scenario.scenario import Scenario
+from arcless.model.scenario.scenario_data import Analysis
 from arcless.model.settings.run_settings import ONE_ELEMENT
 
 # Updated kinematics of lumped wires, PRAKS line at 340 km/h, 1 ms, no mass at the joints: runs with
@@ -28,6 +30,12 @@ QUIET_SCHEMES = {"backward-difference"}
 LOUD_DAMPING = 0.02
 # Elements that are longer than those of the rule by this share are told.
 LONG_ELEMENT = 1.25
+# Whole spans of a section that nobody chose, below which its σ depends on which spans they are.
+# Larger, a line of 8 spans, of which 4 are taken, is warned of; smaller, σ of two or three spans is
+# taken for that of the line.
+FEW_SPANS = 4
+# In m: below any span, above what sums of their lengths are off.
+ROUNDING = 1e-6
 # A tenth of the static forces of pantographs, 60 to 120 N.
 LOST_FORCE = 10.0
 # Half of what a point of a chain yields less than the wire, 0.8 µm/N: what is stiffer does not get
@@ -68,6 +76,13 @@ def _about_section(scenario: Scenario) -> list[str]:
     analysis = scenario.analysis
     if analysis.spans is None and scenario.default_section() is None:
         found.append("analysis: the line is too short for inner spans; all of the travel is taken")
+    elif not _is_chosen(analysis) and (few := _whole_spans(supports, first, last)) < FEW_SPANS:
+        found.append(
+            f"analysis: {first:g} to {last:g} m is judged, {few} whole"
+            f" span{'s' * (few != 1)} of {len(supports) - 1}:"
+            " the inner half, never the first or last two spans, cut to what every pantograph"
+            " travels; give the line more spans, or the section as analysis.spans"
+        )
     elif first < supports[min(2, len(supports) - 1)] or last > supports[max(-3, -len(supports))]:
         found.append(
             "analysis: the section reaches into the first or last two spans of the line, where its"
@@ -92,6 +107,16 @@ def _about_section(scenario: Scenario) -> list[str]:
                 f" left the section at {last:g} m; give it more time, or the section an earlier end"
             )
     return found
+
+
+def _is_chosen(analysis: Analysis) -> bool:
+    return not (analysis.spans is None and analysis.from_ is None and analysis.to is None)
+
+
+def _whole_spans(supports: Sequence[float], first: float, last: float) -> int:
+    """Return how many spans lie within a section in m whole, to a rounding error."""
+    begin, end = first - ROUNDING, last + ROUNDING
+    return sum(left >= begin and right <= end for left, right in pairwise(supports))
 
 
 def _about_line(scenario: Scenario) -> list[str]:

@@ -30,7 +30,7 @@ from arcless.report.paper.blocks import (
 from arcless.report.paper.explained import explained_tables, said
 from arcless.report.run_content import ReportedRun, Rows, run_content
 
-UNSURE = "The certainty of the numbers was not determined; `arcless run --certainty` does that."
+UNSURE = "Uncertainty was not computed; `arcless run --certainty` computes it."
 SURE = "± is the spread over starts and the error of discretisation, see Certainty of the numbers."
 # Verdict on a criterion, or place in a published range → meaning of its colour.
 _TONES: dict[str, Tone] = {
@@ -98,7 +98,7 @@ def tone_of(state: str) -> Tone:
 
 def _summary(content: Mapping[str, Any], drawn: Mapping[str, Sequence[Figure]]) -> list[Block]:
     sure = Paragraph(SURE) if content["certainty"] else Paragraph(UNSURE, coded=True)
-    texts = [Paragraph(f"Worst place: {content['worst']}"), sure]
+    texts = [Paragraph(f"{content['judged_on']} Worst place: {content['worst']}"), sure]
     blocks: list[Block] = [Judgement(content["verdict"], texts)]
     if content["warnings"]:
         blocks.append(Points(content["warnings"], "Warnings"))

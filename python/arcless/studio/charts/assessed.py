@@ -22,6 +22,7 @@ def assessed(run: ChartedRun) -> dict[str, Any]:
         "identity": summary.identity(run.result.scenario, assessment, facts),
         "verdict": asdict(first["verdict"]),
         "leading": None if lead is None else tables.criterion_row(lead),
+        "judged_on": first["judged_on"],
         "worst": first["worst"],
         "criteria": first["criteria"],
         "marks": run_content.marks_of(assessment),

@@ -69,8 +69,8 @@ class ChartedComparison(Charted):
         kept = (
             "title", "names", "runs", "count", "verdicts", "several", "placement",
             "bands", "acceptance", "simulated", "main", "numbers", "differences_read",
-            "numbers_read", "placement_reads", "placed_on", "changes",
-            "bands_read", "acceptance_reads", "left_out", "same",
+            "numbers_read", "placement_reads", "placed_on", "changes", "bands_read",
+            "acceptance_reads", "left_out", "same",
         )  # fmt: skip
         return {
             **{name: content[name] for name in kept},

@@ -1,4 +1,4 @@
-"""Facts that a measured file lacks, as the page gives them: speed, supply, head mass and lift."""
+"""Data that a measured file does not have, as the page gives them: speed, supply, head mass."""
 
 from dataclasses import dataclass, fields
 from pathlib import Path

@@ -31,6 +31,8 @@ LINE = (
 )  # fmt: skip
 # Fields that stand in place of others: offered where they are given.
 EXCLUSIVE = ("presag", "lengths", "static_force", "mean_force")
+# Lists of a span type with one value for each dropper.
+DROPPERS, OF_DROPPERS = "droppers", ("positions", "presag", "lengths")
 MASS = ("mass", "stiffness", "damping")
 
 
@@ -88,7 +90,7 @@ def _line(line: dict[str, Any], before: Path) -> Iterator[tuple[str, list[Path]]
     types = _at(line, ("span_types",))
     for name in types if isinstance(types, dict) else ():
         own = (*before, "span_types", name)
-        droppers = [(*own, "droppers", key) for key in ("positions", "presag", "lengths")]
+        droppers = [(*own, DROPPERS, key) for key in OF_DROPPERS]
         yield f"Span type {name}", [(*own, "length"), *droppers]
 
 
@@ -113,4 +115,6 @@ def _field(
     if typed is None and (known.unit is None or path[-1] in EXCLUSIVE or STEADY_ARM in path):
         return None
     field = ".".join(map(str, path))
-    return told(field, str(path[-1]), typed, known, found.get(field))
+    is_of_droppers = path[-2:-1] == (DROPPERS,) and path[-1] in OF_DROPPERS
+    together = ".".join(map(str, path[:-1])) if is_of_droppers else None
+    return told(field, str(path[-1]), typed, known, found.get(field), together=together)

@@ -14,9 +14,26 @@ def value_of(data: Any) -> Any:
 
 
 def told(
-    field: str, label: str, typed: Any, known: About, place: Place | None, *, inherited: Any = None
+    field: str,
+    label: str,
+    typed: Any,
+    known: About,
+    place: Place | None,
+    *,
+    inherited: Any = None,
+    together: str | None = None,
 ) -> dict[str, Any]:
-    """Return a field as the page shows it; `inherited` is its value where none is typed."""
+    """Return a field as the page shows it.
+
+    Parameters
+    ----------
+    field, label, typed, known, place
+        Dotted path, name, what stands in the text, what is known of the field, and where it stands.
+    inherited
+        Its value where none is typed.
+    together
+        Path of the thing whose lists have one value each for the same droppers; None of others.
+    """
     return {
         "field": field,
         "label": label.replace("_", " ").capitalize(),
@@ -31,6 +48,7 @@ def told(
         "line": place["line"] if place else None,
         "required": known.required,
         "choices": known.choices,
+        "together": together,
     }
 
 

@@ -1,5 +1,6 @@
 """Models of the folder in a few words, kept until their files change."""
 
+import os
 import threading
 from collections.abc import Iterator
 from dataclasses import dataclass, field
@@ -50,7 +51,9 @@ class Models:
             found = list(self._models(files))
         wrong = {path: known for path, known in found if known.error}
         return [
-            known.entry | ({"error": self._told(known, wrong)} if known.error else {})
+            known.entry
+            | {"names": self._inside(known.names)}
+            | ({"error": self._told(known, wrong)} if known.error else {})
             for _, known in found
             if known.entry is not None
         ]
@@ -63,6 +66,12 @@ class Models:
             if error.startswith(f"{label}:"):
                 return f"names {label}, which cannot be read"
         return error
+
+    def _inside(self, names: set[Path]) -> list[str]:
+        """Return the files of the folder among some, as the page names them."""
+        whole = sorted(Path(os.path.normpath(one)) for one in names)
+        folder = self._project.folder
+        return [self._project.name_of(one) for one in whole if one.is_relative_to(folder)]
 
     def check(self, files: Files) -> bool:
         """Read models as `arcless check` does where they changed; return whether any verdict did.

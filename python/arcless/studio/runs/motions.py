@@ -12,7 +12,7 @@ from arcless.studio.motion.channels import MotionSource, moves_wires
 from arcless.studio.motion.recorded import Recorded, recorded
 from arcless.studio.project.project import Project
 from arcless.studio.runs import run
-from arcless.studio.runs.routes import run_of
+from arcless.studio.runs.places import run_of
 from arcless.studio.stream.sources import Name
 
 # Stored runs that are kept open. With fewer, going back to a run reads its file again, which takes

@@ -60,16 +60,8 @@ def order_of(project: Project, asked: Mapping[str, Any]) -> Order:
     ArclessError
         The scenario is wrong.
     """
-    path, changes = asked.get("scenario"), asked.get("changes") or {}
-    if not isinstance(path, str) or not isinstance(changes, dict) or len(changes) > MOST_CHANGES:
-        raise Refused(400, "no order of a run")
-    scenario = _loaded(project, path)
-    if asked.get("record_motion") is True and scenario.output.motion is None:
-        changes = {**changes, "output.motion": True}
-    if changes:
-        scenario = apply(scenario, changes, place=_place(project, path))
+    scenario, command = changed_scenario(project, asked)
     check_typed_speed(scenario)
-    command = _command(path, changes)
     if asked.get("certainty") is True and scenario.certainty is None:
         scenario = scenario.with_(certainty={"starts": STARTS})
         command = f"{command} --certainty {STARTS}"
@@ -80,6 +72,27 @@ def order_of(project: Project, asked: Mapping[str, Any]) -> Order:
         folder = _free(project, folder)
     _check_free(project, folder, replace=replace)
     return Order(scenario, folder, replace, command)
+
+
+def changed_scenario(project: Project, asked: Mapping[str, Any]) -> tuple[Scenario, str]:
+    """Return the scenario of an order with its changes, and the command that runs it.
+
+    Raises
+    ------
+    Refused
+        It is no order.
+    ArclessError
+        The scenario is wrong.
+    """
+    path, changes = asked.get("scenario"), asked.get("changes") or {}
+    if not isinstance(path, str) or not isinstance(changes, dict) or len(changes) > MOST_CHANGES:
+        raise Refused(400, "no order of a run")
+    scenario = _loaded(project, path)
+    if asked.get("record_motion") is True and scenario.output.motion is None:
+        changes = {**changes, "output.motion": True}
+    if changes:
+        scenario = apply(scenario, changes, place=_place(project, path))
+    return scenario, _command(path, changes)
 
 
 def _loaded(project: Project, path: str) -> Scenario:

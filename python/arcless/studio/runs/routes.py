@@ -8,15 +8,15 @@ from starlette.requests import Request
 from starlette.responses import FileResponse
 from starlette.routing import BaseRoute
 
-from arcless.errors import OutputError
-from arcless.results.kept_runs.places import REPORT_NAME, RESULT_NAME, result_file
+from arcless.results.kept_runs.places import REPORT_NAME, RESULT_NAME
 from arcless.studio.answers.answers import Refused, json_body, route
 from arcless.studio.jobs.job import Job, Task
 from arcless.studio.jobs.jobs import Jobs
 from arcless.studio.project.project import Project
 from arcless.studio.runs import run
 from arcless.studio.runs.order import Order, order_of
-from arcless.units import show
+from arcless.studio.runs.places import run_of
+from arcless.studio.runs.standing import is_current
 
 # A report has its script inside and needs nothing else: it runs in a place of its own, from which
 # nothing of the studio can be asked.
@@ -36,6 +36,7 @@ def routes(project: Project, jobs: Jobs) -> list[BaseRoute]:
         route("jobs/{id}/cancel", asked.cancel, "POST"),
         route("run", asked.told),
         route("run/line", asked.line),
+        route("run/current", asked.current, "POST"),
         route("run/report", asked.report),
         route("run/report", asked.write_report, "POST"),
     ]
@@ -76,6 +77,10 @@ class _Asked:
         file = await run_sync(run_of, self._project, request.query_params.get("path"))
         return await self._jobs.compute(run.line, file)
 
+    async def current(self, request: Request) -> Any:
+        body = await json_body(request)
+        return {"current": await run_sync(is_current, self._project, body)}
+
     def _done(self, job: Job | None) -> Path:
         """Return the result of a job that has ended."""
         if job is None or job.kind != "run" or job.state != "done":
@@ -114,24 +119,6 @@ def start(project: Project, jobs: Jobs, order: Order) -> Job:
     """
     task = Task(run.run, (order,), folder=order.folder, shows=True)
     return jobs.start("run", order.folder.name, task, path=project.name_of(order.folder))
-
-
-def run_of(project: Project, path: object) -> Path:
-    """Return the result file of a run below the folder, named by its folder or its file.
-
-    Raises
-    ------
-    OutputError, Refused
-        There is none.
-    """
-    if not isinstance(path, str):
-        raise OutputError("no run", got=show(path), expected="the path of a run")
-    file = result_file(project.inside(path))
-    # The file itself may be a link that leads out.
-    file = project.inside(project.name_of(file))
-    if file.suffix != ".nc" or not file.is_file():
-        raise Refused(404, f"there is no run {path}")
-    return file
 
 
 def _named(file: Path) -> Path:

@@ -40,7 +40,17 @@ def test_given_travel_is_kept() -> None:
 def test_default_section_is_the_inner_half(spans: int, first: int, last: int) -> None:
     scenario = with_spans(spans)
     assert scenario.analysis_range() == ((first - 1) * 55, last * 55)
-    assert scenario_warnings(scenario) == []
+    told = [said.partition(": the inner half")[0] for said in scenario_warnings(scenario)]
+    count = last - first + 1
+    words = f"analysis: {(first - 1) * 55} to {last * 55} m is judged, {count} whole span"
+    words += f"{'s' * (count > 1)} of {spans}"
+    # Three spans and fewer are told of.
+    assert told == [words] * (count < 4)
+
+
+def test_a_section_of_few_spans_that_was_asked_for_is_not_told() -> None:
+    for chosen in ({"spans": [3, 4]}, {"from": 110, "to": 220}):
+        assert scenario_warnings(with_spans(6).with_(analysis=chosen)) == []
 
 
 def test_default_section_of_a_short_line_is_all_of_the_travel() -> None:

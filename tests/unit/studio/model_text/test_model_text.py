@@ -115,6 +115,15 @@ def test_a_change_keeps_all_else_and_none_takes_a_field_away() -> None:
         patched(TEXT, {"contact_wire.nothing": None}, "a")
 
 
+def test_lists_of_the_same_droppers_are_told_to_be_together() -> None:
+    found = fields(TEXT)
+    own = "span_types.standard.droppers"
+    assert {one["field"] for one in found.values() if one["together"] == own} == {
+        f"{own}.positions", f"{own}.presag",
+    }  # fmt: skip
+    assert found["spans"]["together"] is None
+
+
 def test_nothing_is_known_of_what_is_no_field() -> None:
     assert about("line", ("nothing",)) is None
 

@@ -233,3 +233,26 @@ def pieces(one: Any, source: dict[str, str]) -> list[tuple[str, bytes]]:
     """Return frames of a second, without the numbers of their channels."""
     assert one.want(source, 1.0, 2.0, 0.0)["dropped"] == 0
     return [(name, frame[4:]) for name, frame in one.frames]
+
+
+def test_a_run_is_current_until_something_that_it_was_computed_from_changes(
+    studio: Studio, done: dict[str, Any]
+) -> None:
+    def current(**asked: Any) -> Any:
+        whole = {"run": done["path"], "scenario": "short.yaml", "changes": CHANGES, **asked}
+        answer = studio.client.post("/run/current", json=whole)
+        return answer.json().get("current", answer.status_code)
+
+    assert current() is True
+    assert current(changes={**CHANGES, "certainty": {"starts": 4}}) is True
+    assert current(changes={**CHANGES, "speed": "151 km/h"}) is False
+    assert current(run="none") == 404
+    file = studio.folder / "short.yaml"
+    text = file.read_text("utf-8")
+    try:
+        file.write_text(text.replace("name: short", "name: short  # kept"), "utf-8")
+        assert current() is True
+        file.write_text(text + "contact: {stiffness: 51 kN/m}\n", "utf-8")
+        assert current() is False
+    finally:
+        file.write_text(text, "utf-8")
