@@ -143,7 +143,7 @@ def test_ticked_runs_are_overlaid_with_what_differs_alone(
     show(page, "Compare")
     drawn(page, "Contact force")
     legend = page.text(f"{of('Contact force')} .chart-legend")
-    names = {f"{SCENARIO}, speed {speed} km/h" for speed in (320, 300)}
+    names = {f"{SCENARIO}, Speed {speed} km/h" for speed in (320, 300)}
     assert {*names, "support"} == set(legend.split("\n"))
     fields = page.js("""[...document.querySelectorAll('table')].find((one) =>
         one.caption.textContent === 'What differs').tBodies[0].innerText""")

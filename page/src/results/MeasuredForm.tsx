@@ -34,6 +34,7 @@ function Assessed({ of }: { of: Alone }) {
       <Numbers rows={of.numbers} names={of.pantographs} title={`Numbers of ${of.name}`} />
       <div class="wide" tabIndex={0} role="region" aria-label={`Criteria of ${of.name}`}>
         <table>
+          <caption>Criteria of {of.name}</caption>
           <thead>
             <tr>
               {["criterion", "of", "value", "limit", "unit", "verdict", "source (mark)"].map((title) => (
