@@ -143,7 +143,8 @@ def test_ticked_runs_are_overlaid_with_what_differs_alone(
     show(page, "Compare")
     drawn(page, "Contact force")
     legend = page.text(f"{of('Contact force')} .chart-legend")
-    assert {"speed 320 km/h", "speed 300 km/h", "support"} == set(legend.split("\n"))
+    names = {f"{SCENARIO}, speed {speed} km/h" for speed in (320, 300)}
+    assert {*names, "support"} == set(legend.split("\n"))
     fields = page.js("""[...document.querySelectorAll('table')].find((one) =>
         one.caption.textContent === 'What differs').tBodies[0].innerText""")
     assert fields.split("\t") == ["Speed", "320 km/h", "300 km/h"]
