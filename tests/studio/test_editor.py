@@ -37,6 +37,7 @@ def folder(tmp_path: Path) -> Path:
 def opened(studio: Start, folder: Path, size: Any = DESK) -> Window:
     """Return a window in which the line of the folder is drawn."""
     page = studio(folder).open(size)
+    page.part("Project")
     page.click(f'nav >> text="{load_line("ac-simple-55-3d").name}" >> nth=0')
     page.until(f"/20 spans/.test({DRAWN} ?? '')")
     return page
