@@ -46,7 +46,8 @@ def test_an_empty_folder_to_a_verdict_in_one_click(studio: Start, tmp_path: Path
     # Verdict by word and shape, not by colour alone.
     assert "✖" in page.text(".run-entry .verdict-word")
     # It can be watched at once: the player stands below, and the clock goes on.
-    page.wait(".transport")
+    # What was computed is followed to its end first: until then the key would pause.
+    page.wait(".transport button[aria-label=Play]")
     page.press("Space")
     where = page.text(".transport .where")
     page.until(f"document.querySelector('.transport .where').innerText !== {where!r}")
