@@ -42,6 +42,7 @@ export function Transport() {
   useEffect(() => {
     const view = () => void (place.value = where());
     viewers.add(view);
+    view(); // frames may have come before the code of the bar
     return () => void viewers.delete(view);
   }, []);
   if (!scene.value) return null;
