@@ -93,7 +93,7 @@ def test_keys_are_letters_in_fields_and_in_the_editor(page: Window) -> None:
     assert "jkfec? " in page.js("document.querySelector('.run-bar .speed').value")
     # Where it is left, a row appears below it, which moves what is to be clicked.
     page.click(".motion-tools")
-    page.wait("text=Variant of")
+    page.wait("#speed-problem")
     page.click('.faces >> role=button[name="YAML"]')
     page.click(".yaml .cm-content")
     page.press(*keys)
@@ -101,6 +101,8 @@ def test_keys_are_letters_in_fields_and_in_the_editor(page: Window) -> None:
 
 
 def test_the_tree_by_keys(page: Window) -> None:
+    # Not in the tree already, which the key would then hide.
+    page.js("document.activeElement.blur()")
     page.press("Control+b")
     page.until("document.activeElement.closest('nav.left') !== null")
     name = "document.activeElement.closest('.run-entry') !== null"
