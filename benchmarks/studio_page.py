@@ -176,7 +176,7 @@ def replay(bench: Bench) -> Lines:
 def played(bench: Bench, run: str) -> Iterator[Window]:
     """Return a window in which a run is open, drawn from the side."""
     with bench.window() as page:
-        page.click(f'.run-entry:has(input[aria-label="Overlay runs/{run}"]) .name')
+        page.click(f".run-entry .name[title^='runs/{run}']")
         page.until("/\\d m ·/.test(document.querySelector('.transport .where')?.textContent ?? '')")
         yield page
 
@@ -209,7 +209,7 @@ def charts(bench: Bench) -> Lines:
     """Count pictures of a figure of a million samples while it is zoomed and moved."""
     chart, title = "figure.chart[data-measured]", "Contact force"
     with bench.window() as page:
-        page("check", 'input[aria-label="Overlay runs/long"]')
+        page("check", ".run-entry:has(.name[title^='runs/long']) input")
         page.click("role=tab[name=Results]")
         page.wait(f'figure.chart h4:text-is("{title}")', "attached", PATIENCE)
         page.js(f"measured.mark('{title}')")

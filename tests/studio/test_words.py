@@ -155,7 +155,7 @@ def test_a_measurement_of_a_run_lies_on_it_and_has_its_name(
     page("check", ".run-entry input")
     page("check", "nav input[aria-label$='site-7.csv']")
     page.click("role=tab[name=Compare]")
-    page.wait("main table")
+    page.wait('[aria-label="Placement of the measurement"] tbody')
     placed = page.text('[aria-label="Placement of the measurement"] tbody')
     assert "site-7 (measured)" in placed
     assert "correlation of the height" in placed
