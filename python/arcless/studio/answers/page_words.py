@@ -25,7 +25,6 @@ _WORDS = (
         "`--overwrite` replaces it, `--out FOLDER` keeps both",
         "another name of the scenario keeps both",
     ),
-    (" (`--search`)", ""),
     ("widen the search (--search), or give the offset by hand (--offset)", _ALIGNED),
     ("give the offset by hand: --offset", _ALIGNED),
     ("use --align correlation, or --offset", _ALIGNED),
@@ -39,8 +38,6 @@ _INSTEAD = (
     (r"leave the ending out; `?--to`? names a folder", "leave the ending out"),
     (r"`?--to`? names a folder", "leave the folder out"),
     (r"leave `?--with-pantographs`? out, or begin", "begin"),
-    (r"choose another (folder|one) with `--out`", "give the scenario or the study another name"),
-    (r"in another folder with `--out`", "with another name"),
     (r"with `--out NEW_FOLDER`", "with another name"),
     (r" \(`?--[a-z-]+`?\)", ""),
 )
