@@ -21,14 +21,21 @@
 //! Inputs are measured when the step begins and act during the whole step. Outputs belong to the
 //! end of the step, except contact forces, which belong to its time of balance.
 
+pub mod any;
 pub(crate) mod collectors;
+pub(crate) mod compliance;
 pub(crate) mod outputs;
+pub mod prepared;
 pub(crate) mod snapshot;
 pub(crate) mod start;
 pub(crate) mod subgrid_height;
+pub(crate) mod watched;
 
+pub use any::AnySession;
 pub use collectors::Collector;
+pub use compliance::Compliance;
 pub use outputs::Outputs;
+pub use prepared::{Drive, Prepared};
 
 use crate::checkpoint::Checkpoint;
 use crate::error::CoreError;
@@ -37,8 +44,10 @@ use crate::linear::loads::Loads;
 use crate::pantograph::actuator::Actuator;
 use crate::pantograph::model::Pantograph;
 use crate::session::collectors::{Collectors, check_end};
+use crate::session::compliance::ComplianceWork;
 use crate::session::snapshot::Snapshot;
 use crate::session::subgrid_height::add_subgrid_heights;
+use crate::session::watched::{WatchedNode, read_uplifts};
 use crate::simulation::inputs::Inputs;
 use crate::simulation::model::Model;
 use crate::simulation::run::OBSERVE_EVERY;
@@ -48,6 +57,7 @@ use std::sync::Arc;
 
 /// Start of a session.
 #[derive(Debug, Clone, Copy)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct SessionStart {
     /// Position along the track, m.
     pub position: f64,
@@ -91,7 +101,26 @@ pub struct Session<const DIM: usize, const D: usize> {
     pub(crate) speed: f64,
     pub(crate) state: State<DIM, D>,
     pub(crate) outputs: Outputs,
+    pub(crate) watched: Vec<WatchedNode<DIM>>,
+    pub(crate) compliance: ComplianceWork<DIM>,
 }
+
+/// Inputs of a step with the loads of collectors, with its positions (m) and speed (m/s).
+pub(crate) fn step_inputs<const DIM: usize>(
+    collectors: &Collectors<DIM>,
+    positions: [f64; 3],
+    speed: f64,
+) -> Inputs<'_> {
+    Inputs {
+        positions,
+        speed,
+        loads: Loads::new(&collectors.loads, &collectors.sizes),
+        excitations: &[],
+    }
+}
+
+/// Name of the watched nodes among the numbers of a saved state, where there are any.
+const WATCHED: &str = "loop_watched";
 
 /// Name of position and speed among the numbers of a saved state.
 const POSITION_AND_SPEED: &str = "loop_position_speed";
@@ -165,16 +194,10 @@ impl<const DIM: usize, const D: usize> Session<DIM, D> {
 
     /// Takes a step with checked inputs.
     fn take_step(&mut self, forces: &[f64], position: f64, speed: f64) -> Result<(), CoreError> {
-        let old = self.model.line.coefficients.old;
-        let at_balance = |before: f64, after: f64| (1.0 - old) * after + old * before;
-        let positions = [self.position, at_balance(self.position, position), position];
+        let positions = self.positions(position);
         self.set_forces(forces, positions)?;
-        let inputs = Inputs {
-            positions,
-            speed: at_balance(self.speed, speed),
-            loads: Loads::new(&self.collectors.loads, &self.collectors.sizes),
-            excitations: &[],
-        };
+        let speed_at_balance = self.at_balance(self.speed, speed);
+        let inputs = step_inputs(&self.collectors, positions, speed_at_balance);
         let number = self.steps();
         step(&self.model.borrow(), &inputs, &mut self.state)?;
         if number.is_multiple_of(OBSERVE_EVERY) {
@@ -182,6 +205,38 @@ impl<const DIM: usize, const D: usize> Session<DIM, D> {
         }
         (self.position, self.speed) = (position, speed);
         self.read_outputs()
+    }
+
+    /// Value at the time of balance from those at the start and the end of the step.
+    pub(crate) fn at_balance(&self, before: f64, after: f64) -> f64 {
+        let old = self.model.line.coefficients.old;
+        (1.0 - old) * after + old * before
+    }
+
+    /// Positions at the start of a step that ends at `position`, at its time of balance, and at its
+    /// end, m.
+    pub(crate) fn positions(&self, position: f64) -> [f64; 3] {
+        let balance = self.at_balance(self.position, position);
+        [self.position, balance, position]
+    }
+
+    /// Weight α_f of the start of a step in its balance: inputs and contact forces belong to the
+    /// time (1 − α_f) h after the start.
+    #[must_use]
+    pub fn old_weight(&self) -> f64 {
+        self.model.line.coefficients.old
+    }
+
+    /// Step length, s.
+    #[must_use]
+    pub fn step_length(&self) -> f64 {
+        self.model.line.h
+    }
+
+    /// Flexibility 1/k_c of a contact, m/N.
+    #[must_use]
+    pub fn contact_flexibility(&self) -> f64 {
+        self.model.line.contact_flexibility
     }
 
     /// Outputs of the last step, or of the start.
@@ -250,7 +305,11 @@ impl<const DIM: usize, const D: usize> Session<DIM, D> {
 
     /// Sets the forces of the step, N: of actuators, and of collectors on the wire. Positions of
     /// the session, m: at the start of the step, at the time of balance, and at the end.
-    fn set_forces(&mut self, forces: &[f64], [_, balance, end]: [f64; 3]) -> Result<(), CoreError> {
+    pub(crate) fn set_forces(
+        &mut self,
+        forces: &[f64],
+        [_, balance, end]: [f64; 3],
+    ) -> Result<(), CoreError> {
         let (model, motion) = (self.model.borrow(), &mut self.state.motion);
         check_end(model.wires, motion, end)?;
         for (pantograph, force) in motion.pantographs.iter_mut().zip(forces) {
@@ -274,6 +333,8 @@ impl<const DIM: usize, const D: usize> Session<DIM, D> {
         };
         self.outputs.read_mesh(&snapshot)?;
         add_subgrid_heights(&mut self.outputs, &snapshot);
+        let Outputs { force, uplift, .. } = &mut self.outputs;
+        read_uplifts(&self.watched, &snapshot, force, uplift);
         Ok(())
     }
 
@@ -285,6 +346,9 @@ impl<const DIM: usize, const D: usize> Session<DIM, D> {
         let mut saved = self.state.save(&self.model.borrow())?;
         let numbers = vec![self.position, self.speed];
         saved.numbers.insert(POSITION_AND_SPEED.into(), numbers);
+        if !self.watched.is_empty() {
+            saved.numbers.insert(WATCHED.into(), self.watched_numbers());
+        }
         Ok(saved)
     }
 
@@ -299,6 +363,11 @@ impl<const DIM: usize, const D: usize> Session<DIM, D> {
         let [position, speed] = numbers[..] else {
             return Err(CoreError::invalid("state", "it is not of a loop"));
         };
+        let watched = saved.numbers.remove(WATCHED).unwrap_or_default();
+        if watched != self.watched_numbers() {
+            let reason = "it is of a loop that watches other nodes";
+            return Err(CoreError::invalid("state", reason));
+        }
         let mut state = self.state.clone();
         state.restore(&self.model.borrow(), &saved)?;
         let before = (self.position, self.speed);
