@@ -7,10 +7,13 @@ from numpy.typing import ArrayLike, NDArray
 from arcless.mesh.tables.columns import Tables
 from arcless.simulate.setup.core_data import (
     CollectorData,
+    DriveData,
     LoadData,
+    OnLineData,
     PantographData,
     RecordPlan,
     SessionStart,
+    SteppingData,
 )
 
 __version__: str
@@ -25,6 +28,29 @@ def solve_lcp(
 def filtered(
     sections: NDArray[np.float64], state: NDArray[np.float64], signal: NDArray[np.float64]
 ) -> NDArray[np.float64]: ...
+
+def exported_line(
+    *,
+    line: Equilibrium,
+    lanes: list[list[int]],
+    stepping: SteppingData,
+    drive: DriveData,
+    start: SessionStart,
+    travel: str,
+    pantographs: list[OnLineData],
+    watched: list[int],
+    supports: list[str],
+) -> bytes: ...
+def exported_pantograph(
+    *,
+    session: Session,
+    number: int,
+    stepping: SteppingData,
+    name: str,
+    heights: list[tuple[int, str]],
+    influence: list[float],
+) -> bytes: ...
+def described(model: bytes) -> dict[str, Any]: ...
 
 class Equilibrium:
     def __new__(

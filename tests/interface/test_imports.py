@@ -22,10 +22,10 @@ PACKAGE = Path(arcless.__file__).parent
 ORDER = (
     "errors", "units", "storage", "display", "model", "pantograph", "mesh", "equilibrium", "lcp",
     "dataset", "assess", "explanation", "figures", "report", "results", "measurements",
-    "comparison", "simulate", "study", "validate", "studio", "cli",
+    "comparison", "simulate", "fmi", "study", "validate", "studio", "cli",
 )  # fmt: skip
 CORE = "arcless._core"
-CORE_USERS = {"equilibrium", "lcp", "assess", "simulate"}
+CORE_USERS = {"equilibrium", "lcp", "assess", "simulate", "fmi"}
 # The top package has all others, and none has it.
 TOP = {"arcless", "arcless.__main__"}
 MOST_MODULES = 12

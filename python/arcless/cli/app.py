@@ -9,6 +9,7 @@ from arcless.cli.commands import (
     compare,
     explain,
     export,
+    fmu,
     replay,
     resume,
     run,
@@ -90,3 +91,4 @@ for _command in (
     app.command(cls=WithCertainty if _command in (run.run, validate.validate) else None)(_command)
 
 app.add_typer(study.app, name="study")
+app.add_typer(fmu.app, name="fmu")

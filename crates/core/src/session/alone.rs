@@ -23,7 +23,8 @@ use crate::pantograph::model::Pantograph;
 use crate::pantograph::state::PantographState;
 use crate::pantograph::strip::Strip;
 use crate::scheme::{Coefficients, Scheme};
-use crate::session::Session;
+use crate::each_kind;
+use crate::session::{AnySession, Session};
 use crate::simulation::saved::resume::archive_pantograph;
 
 /// Start of a pantograph by itself, in equilibrium.
@@ -488,5 +489,13 @@ impl<const DIM: usize, const D: usize> Session<DIM, D> {
             }
         }
         Some((model.clone(), start))
+    }
+}
+
+impl AnySession {
+    /// Simulated pantograph by itself: see [`Session::standing_alone`].
+    #[must_use]
+    pub fn standing_alone(&self, number: usize) -> Option<(Pantograph, AloneStart)> {
+        each_kind!(self, Self, session => session.standing_alone(number))
     }
 }
