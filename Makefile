@@ -173,7 +173,7 @@ $(VENV)/.built: $(VENV)/.packages $(RUST_INPUTS)
 	@$(MAKE) --no-print-directory check-rust
 	@echo 'Compiling the numerical core'
 	@$(MATURIN) develop --release --quiet
-	@cargo build --release --quiet -p arcless-ffi
+	@cargo build --release --quiet -p arcless-ffi -p arcless-py # with it, the core is as it is already
 	@install -D -m 644 -s target/release/libarcless_loop.so $(LIBRARIES)/$(PLATFORM)/arcless_loop.so
 	@install -m 644 crates/ffi/include/arcless_loop.h $(LIBRARIES)/
 	@touch $@

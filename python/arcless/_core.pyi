@@ -28,7 +28,6 @@ def solve_lcp(
 def filtered(
     sections: NDArray[np.float64], state: NDArray[np.float64], signal: NDArray[np.float64]
 ) -> NDArray[np.float64]: ...
-
 def exported_line(
     *,
     line: Equilibrium,

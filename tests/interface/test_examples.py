@@ -23,6 +23,7 @@ def test_every_example_is_tested() -> None:
     assert {path.stem for path in EXAMPLES.glob("*.py")} == {
         "bench_in_the_loop",
         "controlled",
+        "coupled_fmus",
         "figures_for_paper",
         "dropped_beam",  # tests/unit/test_published.py
         "one_run",
@@ -88,3 +89,10 @@ def test_bench_in_the_loop(capsys: pytest.CaptureFixture[str]) -> None:
     assert np.mean(found["bench"]) == pytest.approx(np.mean(found["run"]), abs=0.5)
     assert np.std(found["bench"]) == pytest.approx(np.std(found["run"]), abs=1.0)
     assert len(capsys.readouterr().out.splitlines()) == 3
+
+
+def test_coupled_fmus(capsys: pytest.CaptureFixture[str]) -> None:
+    load("coupled_fmus").main(0.2)
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[0].endswith(" steps of 1 ms")
+    assert lines[-1].startswith("plain exchange, spring of 50 kN/m: unstable in step ")

@@ -100,7 +100,10 @@ fn it_moves_as_on_a_line() {
                 for (index, expected) in live.outputs().displacement.iter().enumerate() {
                     let [found, _] = alone.coordinate(index);
                     // Rounding of sums in another order, of some metres.
-                    assert!((found - expected).abs() < 1e-12, "step {step}: {found} {expected}");
+                    assert!(
+                        (found - expected).abs() < 1e-12,
+                        "step {step}: {found} {expected}"
+                    );
                     moved = moved.max(found.abs());
                 }
             }
@@ -109,7 +112,7 @@ fn it_moves_as_on_a_line() {
     }
 }
 
-/// What it says of the step that comes is what the step does: under any contact force without stops
+/// Heights and compliance foretold are those of the step: under any contact force without stops
 /// and tables, under that of the step before with them.
 #[test]
 fn it_knows_how_it_yields() {
@@ -135,7 +138,9 @@ fn foretold(alone: &mut Alone, force: &[f64], actuator: f64) {
     let (mut height, mut compliance) = ([0.0], [0.0]);
     let mut again = [0.0; 2];
     let step = inputs(force, actuator);
-    alone.look_ahead(&step, &mut height, &mut compliance).expect("a look");
+    alone
+        .look_ahead(&step, &mut height, &mut compliance)
+        .expect("a look");
     let (first, rest) = again.split_at_mut(1);
     alone.look_ahead(&step, first, rest).expect("a look");
     assert_eq!(again, [height[0], compliance[0]], "a look changes nothing");
@@ -158,7 +163,10 @@ fn its_base_moves_it() {
         rate: vec![0.0],
     });
     let scheme = Scheme::BackwardDifference;
-    let (_, start) = both(plain(), scheme).0.standing_alone(0).expect("a pantograph");
+    let (_, start) = both(plain(), scheme)
+        .0
+        .standing_alone(0)
+        .expect("a pantograph");
     let mut alone = Alone::new(pantograph, (scheme, H), start.clone()).expect("it stands");
     let mut still = Alone::new(plain(), (scheme, H), start).expect("it stands");
     let force = [250.0];

@@ -31,7 +31,6 @@ enum {
     ARCLESS_LOOP_OK = 0,
     ARCLESS_LOOP_DATA = 1,   /* a file or a state cannot be used; nothing has changed */
     ARCLESS_LOOP_VALUE = 2,  /* no such variable, no input, not finite, a null pointer */
-    ARCLESS_LOOP_TIME = 3,   /* not used by this interface */
     ARCLESS_LOOP_STEP = 4,   /* the step cannot be taken; the device stands where it stood */
     ARCLESS_LOOP_FAULT = 9   /* a fault of Arcless: close the device */
 };

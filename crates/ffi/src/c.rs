@@ -18,7 +18,7 @@ pub struct Loop {
     message: CString,
 }
 
-/// Code of a result: 0, or the kind of a failure.
+/// Code of a result: 0, or the kind of a failure. Kinds that only the FMI has have a code too.
 fn code(kind: Kind) -> c_int {
     match kind {
         Kind::Data => 1,
@@ -143,7 +143,10 @@ pub unsafe extern "C" fn arcless_loop_find(device: *const Loop, name: *const c_c
     let (Some(device), Some(name)) = (device, name) else {
         return NONE;
     };
-    device.stepper.find(name).map_or(NONE, |number| number as c_uint)
+    device
+        .stepper
+        .find(name)
+        .map_or(NONE, |number| number as c_uint)
 }
 
 /// Texts of variables.
@@ -279,7 +282,9 @@ pub unsafe extern "C" fn arcless_loop_restore(
     let work = |device: &mut Loop| {
         // SAFETY: null, or an array of that many bytes.
         let bytes = unsafe { list(bytes, size) };
-        device.stepper.restore(bytes.ok_or_else(|| null("arcless_loop_restore"))?)
+        device
+            .stepper
+            .restore(bytes.ok_or_else(|| null("arcless_loop_restore"))?)
     };
     // SAFETY: as the header has it.
     unsafe { with(device, work) }

@@ -6,14 +6,8 @@ use arcless_device::{Failure, Kind};
 use std::ffi::{CString, c_char, c_int, c_uint, c_void};
 
 /// Function of an importer for messages.
-pub type Logger = unsafe extern "C" fn(
-    *mut c_void,
-    *const c_char,
-    c_int,
-    *const c_char,
-    *const c_char,
-    ...
-);
+pub type Logger =
+    unsafe extern "C" fn(*mut c_void, *const c_char, c_int, *const c_char, *const c_char, ...);
 
 /// Functions of an importer.
 #[repr(C)]
@@ -131,7 +125,9 @@ pub unsafe extern "C" fn fmi2Instantiate(
         return std::ptr::null_mut();
     }
     let made = Instance::open(location.unwrap_or_default(), guid.unwrap_or_default(), log);
-    made.map_or(std::ptr::null_mut(), |made| Box::into_raw(Box::new(made)).cast())
+    made.map_or(std::ptr::null_mut(), |made| {
+        Box::into_raw(Box::new(made)).cast()
+    })
 }
 
 /// Frees an instance.
@@ -386,7 +382,10 @@ pub unsafe extern "C" fn fmi2GetStatus(
 }
 
 fn unknown_status(kind: c_int) -> Failure {
-    Failure::new(Kind::Value, format!("there is no status {kind} of this type"))
+    Failure::new(
+        Kind::Value,
+        format!("there is no status {kind} of this type"),
+    )
 }
 
 /// Gets the time that the last step has reached.

@@ -90,8 +90,14 @@ pub unsafe extern "C" fn fmi3InstantiateCoSimulation(
     };
     // SAFETY: the importer passes strings that end with a zero.
     let (token, resources) = unsafe { (text(token), text(resources)) };
-    let made = Instance::open(resources.unwrap_or_default(), token.unwrap_or_default(), log);
-    made.map_or(std::ptr::null_mut(), |made| Box::into_raw(Box::new(made)).cast())
+    let made = Instance::open(
+        resources.unwrap_or_default(),
+        token.unwrap_or_default(),
+        log,
+    );
+    made.map_or(std::ptr::null_mut(), |made| {
+        Box::into_raw(Box::new(made)).cast()
+    })
 }
 
 /// Frees an instance.

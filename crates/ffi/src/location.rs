@@ -71,7 +71,8 @@ mod tests {
     fn folder(location: &str) -> String {
         let path = model_path(location).expect("a place");
         assert_eq!(path.file_name(), Some(MODEL.as_ref()));
-        path.parent().map_or_else(String::new, |p: &Path| p.display().to_string())
+        path.parent()
+            .map_or_else(String::new, |p: &Path| p.display().to_string())
     }
 
     #[test]
@@ -91,7 +92,12 @@ mod tests {
 
     #[test]
     fn other_machines_are_refused() {
-        for location in ["https://x.org/y", "file://server/share", "file:///a%2", "file:///a%zz"] {
+        for location in [
+            "https://x.org/y",
+            "file://server/share",
+            "file:///a%2",
+            "file:///a%zz",
+        ] {
             assert!(model_path(location).is_err(), "{location}");
         }
     }

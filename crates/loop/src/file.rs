@@ -32,7 +32,13 @@ pub fn digest(bytes: &[u8]) -> u128 {
 #[must_use]
 pub fn token(digest: u128) -> String {
     let hex = format!("{digest:032x}");
-    let [a, b, c, d, e] = [&hex[..8], &hex[8..12], &hex[12..16], &hex[16..20], &hex[20..]];
+    let [a, b, c, d, e] = [
+        &hex[..8],
+        &hex[8..12],
+        &hex[12..16],
+        &hex[16..20],
+        &hex[20..],
+    ];
     format!("{{{a}-{b}-{c}-{d}-{e}}}")
 }
 
@@ -120,7 +126,10 @@ mod tests {
     fn digests_are_those_published() {
         assert_eq!(digest(b""), 0x6c62_272e_07bb_0142_62b8_2175_6295_c58d);
         assert_eq!(digest(b"a"), 0xd228_cb69_6f1a_8caf_7891_2b70_4e4a_8964);
-        assert_eq!(token(digest(b"a")), "{d228cb69-6f1a-8caf-7891-2b704e4a8964}");
+        assert_eq!(
+            token(digest(b"a")),
+            "{d228cb69-6f1a-8caf-7891-2b704e4a8964}"
+        );
     }
 
     #[test]

@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 pub struct Model {
     /// Version of Arcless.
     pub version: String,
-    /// What was exported.
+    /// Part of the scenario.
     pub part: Part,
 }
 
@@ -42,9 +42,7 @@ impl Model {
         let refused = |error| Failure::data(format!("the model cannot be stepped: {error}"));
         Ok(match self.part {
             Part::Line(line) => Box::new(LineDevice::new(*line).map_err(refused)?),
-            Part::Pantograph(model) => {
-                Box::new(PantographDevice::new(*model).map_err(refused)?)
-            }
+            Part::Pantograph(model) => Box::new(PantographDevice::new(*model).map_err(refused)?),
         })
     }
 }
@@ -54,7 +52,9 @@ pub(crate) fn strip_prefixes(count: usize) -> Vec<String> {
     if count == 1 {
         return vec![String::new()];
     }
-    (1..=count).map(|number| format!("strip_{number}.")).collect()
+    (1..=count)
+        .map(|number| format!("strip_{number}."))
+        .collect()
 }
 
 /// Name of an element of a matrix that is a single number for one row.

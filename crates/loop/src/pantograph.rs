@@ -105,7 +105,10 @@ impl PantographDevice {
         }
         let elapsed = (place.number + 1) as f64 * self.model.step_length;
         let base = self.layout.base.map_or([0.0; 2], |first| {
-            [values[first] + elapsed * values[first + 1], values[first + 1]]
+            [
+                values[first] + elapsed * values[first + 1],
+                values[first + 1],
+            ]
         });
         let old = self.alone.old_weight();
         let speed = place.towards(self.speed, values[self.layout.speed]);
@@ -244,7 +247,10 @@ impl Device for PantographDevice {
             .chain(velocities)
             .chain(coordinates.clone().map(|[displacement, _]| displacement))
             .chain(coordinates.map(|[_, velocity]| velocity));
-        outputs.iter_mut().zip(all).for_each(|(out, value)| *out = value);
+        outputs
+            .iter_mut()
+            .zip(all)
+            .for_each(|(out, value)| *out = value);
     }
 
     fn predict(&mut self, inputs: &[f64], outputs: &mut [f64]) -> Result<(), CoreError> {

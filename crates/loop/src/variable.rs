@@ -9,7 +9,7 @@ pub enum Causality {
     Input,
     /// Found by the device.
     Output,
-    /// The same at all times.
+    /// Number that stays the same.
     Constant,
 }
 

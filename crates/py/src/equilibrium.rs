@@ -144,7 +144,7 @@ impl Equilibrium {
     }
 }
 
-/// How a line is to be stepped.
+/// Choice of the steps of a line.
 #[derive(FromPyObject)]
 pub struct SteppingData {
     scheme: (String, Vec<f64>),

@@ -14,7 +14,7 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 
-/// What presses against an exported line: collectors with their forces, or pantographs.
+/// Load of an exported line: collectors with their forces, or pantographs.
 #[derive(FromPyObject)]
 pub struct DriveData {
     collectors: Vec<CollectorData>,

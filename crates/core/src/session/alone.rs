@@ -8,11 +8,12 @@
 //!
 //!   z = z₀ − S λ,   S = eᵀA⁻¹e − eᵀA⁻¹ (± D) H⁻¹ Dᵀ A⁻¹e
 //!
-//! where D are the directions, and H the matrix, of the stops and breakpoints that are closed in that
-//! step under the contact forces of the step before. Without stops and tables this is exact; with
-//! them as long as none opens or closes because the contact force changes.
+//! where D are the directions, and H the matrix, of the stops and breakpoints that are closed in
+//! that step under the contact forces of the step before. Without stops and tables this is exact;
+//! with them as long as none opens or closes because the contact force changes.
 
 use crate::checkpoint::{Archive, Checkpoint};
+use crate::each_kind;
 use crate::error::CoreError;
 use crate::lcp::LcpSolver;
 use crate::linalg::dense;
@@ -23,7 +24,6 @@ use crate::pantograph::model::Pantograph;
 use crate::pantograph::state::PantographState;
 use crate::pantograph::strip::Strip;
 use crate::scheme::{Coefficients, Scheme};
-use crate::each_kind;
 use crate::session::{AnySession, Session};
 use crate::simulation::saved::resume::archive_pantograph;
 
@@ -47,7 +47,11 @@ impl AloneStart {
     fn is_finite(&self) -> bool {
         let lists = [&self.displacements, &self.forces, &self.laterals];
         let numbers = [self.preload, self.datum];
-        lists.into_iter().flatten().chain(&numbers).all(|v| v.is_finite())
+        lists
+            .into_iter()
+            .flatten()
+            .chain(&numbers)
+            .all(|v| v.is_finite())
     }
 }
 
@@ -153,10 +157,7 @@ impl Alone {
             forces: start.forces.clone(),
             laterals: start.laterals.clone(),
             problem: BreakpointProblem::with_room(breakpoints),
-            kept: (
-                Vec::with_capacity(breakpoints),
-                Vec::with_capacity(tables),
-            ),
+            kept: (Vec::with_capacity(breakpoints), Vec::with_capacity(tables)),
             state,
             coefficients,
             step_length,
@@ -294,7 +295,12 @@ impl Alone {
 
     fn check_inputs(&self, inputs: &AloneInputs<'_>) -> Result<(), CoreError> {
         let count = self.strips.len();
-        let numbers = [inputs.actuator, inputs.speed, inputs.base[0], inputs.base[1]];
+        let numbers = [
+            inputs.actuator,
+            inputs.speed,
+            inputs.base[0],
+            inputs.base[1],
+        ];
         let mut all = inputs.forces.iter().chain(inputs.laterals).chain(&numbers);
         let is_sized = inputs.forces.len() == count && inputs.laterals.len() == count;
         if !is_sized || !all.all(|v| v.is_finite()) {
@@ -375,7 +381,9 @@ impl Alone {
         for list in [&mut problem.x, &mut problem.y] {
             list.resize(n, 0.0);
         }
-        let BreakpointProblem { h, w, x, y, warm, .. } = problem;
+        let BreakpointProblem {
+            h, w, x, y, warm, ..
+        } = problem;
         let solved = problem.solver.solve(h, w, x, y, warm);
         if let Err(failure) = solved {
             return Err(CoreError::Lcp {
@@ -397,7 +405,9 @@ impl Alone {
     fn yield_of_strips(&mut self, forces: &[f64], heights: &mut [f64], compliance: &mut [f64]) {
         let (count, all) = (self.strips.len(), &self.state.breakpoints);
         let problem = &mut self.problem;
-        problem.rows.retain(|&row| all[row].active && all[row].force > 0.0);
+        problem
+            .rows
+            .retain(|&row| all[row].active && all[row].force > 0.0);
         for (j, source) in self.strips.iter().enumerate() {
             // More force σ of the closed breakpoints for 1 N on this strip.
             problem.x.clear();
@@ -416,7 +426,8 @@ impl Alone {
             }
         }
         for (i, strip) in self.strips.iter().enumerate() {
-            let moved = inner(&strip.vector, &self.state.u) + inner(&strip.vector, &self.state.delta);
+            let moved =
+                inner(&strip.vector, &self.state.u) + inner(&strip.vector, &self.state.delta);
             let row = &compliance[i * count..(i + 1) * count];
             heights[i] = self.start.datum + moved + inner(row, forces);
         }
@@ -462,7 +473,8 @@ impl BreakpointProblem {
         self.h.clear();
         for &i in &self.rows {
             let row = self.rows.iter();
-            self.h.extend(row.map(|&j| all[i].response(&all[j], i == j)));
+            self.h
+                .extend(row.map(|&j| all[i].response(&all[j], i == j)));
         }
     }
 }

@@ -1,12 +1,14 @@
 //! Line as a device, with what presses against it.
 //!
-//! | kind | inputs | outputs |
-//! | --- | --- | --- |
-//! | contact force | force of each strip | wire at it; in the coming step its free height and its compliance |
-//! | strip height | height and velocity of each strip, or its free height and its compliance | contact force, wire, height reached |
-//! | control force | force of each actuator | contact force, wire, motion of the simulated pantographs |
+//! * contact force: the force of each strip is an input; outputs are the wire at it, and for the
+//!   coming step its free height and its compliance;
+//! * strip height: height and velocity of each strip, or its free height and its compliance, are
+//!   inputs; outputs are contact force, wire, and the height reached;
+//! * control force: the force of each actuator is an input; outputs are contact force, wire, and
+//!   the motion of the simulated pantographs.
 //!
-//! and in all of them position or speed of the first pantograph, and uplift at supports.
+//! In all of them position or speed of the first pantograph is an input, uplift at supports an
+//! output.
 
 pub mod names;
 pub mod variables;
@@ -100,9 +102,14 @@ impl LineDevice {
         let (kind, driven, sizes) = of_drive(&model.prepared.drive);
         let strips = consecutive(model.pantographs.iter().map(|p| p.strips));
         let count = strips.last().map_or(0, |last| last.end);
-        let lanes = if kind == Kind::ContactForce { 1 } else { model.prepared.lanes.len() };
+        let lanes = if kind == Kind::ContactForce {
+            1
+        } else {
+            model.prepared.lanes.len()
+        };
         let offsets = consecutive(sizes.iter().copied());
-        let fits = |(p, own): (&OnLine, &Range<usize>)| p.heights.iter().all(|(i, _)| *i < own.len());
+        let fits =
+            |(p, own): (&OnLine, &Range<usize>)| p.heights.iter().all(|(i, _)| *i < own.len());
         let has_names = match kind {
             Kind::ControlForce => {
                 offsets.len() == model.pantographs.len()
@@ -272,7 +279,10 @@ impl Device for LineDevice {
             .chain(coordinates.clone().map(|&index| found.displacement[index]))
             .chain(coordinates.map(|&index| found.velocity[index]))
             .chain(found.uplift.iter().copied());
-        outputs.iter_mut().zip(all).for_each(|(out, value)| *out = value);
+        outputs
+            .iter_mut()
+            .zip(all)
+            .for_each(|(out, value)| *out = value);
     }
 
     fn predict(&mut self, inputs: &[f64], outputs: &mut [f64]) -> Result<(), CoreError> {
@@ -282,7 +292,10 @@ impl Device for LineDevice {
         let stiffness = (0..count).map(|i| 1.0 / found.matrix[i * count + i]);
         let all = found.free_height.iter().chain(&found.matrix).copied();
         let all = all.chain(stiffness);
-        outputs.iter_mut().zip(all).for_each(|(out, value)| *out = value);
+        outputs
+            .iter_mut()
+            .zip(all)
+            .for_each(|(out, value)| *out = value);
         Ok(())
     }
 

@@ -32,14 +32,17 @@ impl LineNames {
             let prefixes = strip_prefixes(pantograph.strips);
             let full = |prefix: &String| format!("{name}.{prefix}");
             let full = prefixes.iter().map(full).collect::<Vec<_>>();
-            full.into_iter().map(|name| name.trim_end_matches('.').to_string())
+            full.into_iter()
+                .map(|name| name.trim_end_matches('.').to_string())
         });
         let heights = pairs().flat_map(|(name, pantograph)| {
             let own: Vec<String> = pantograph.heights.iter().map(|(_, n)| n.clone()).collect();
             let own = identifiers(&own).into_iter();
             own.map(|part| format!("{name}.{part}")).collect::<Vec<_>>()
         });
-        let driven = driven.iter().filter_map(|&number| names.get(number).cloned());
+        let driven = driven
+            .iter()
+            .filter_map(|&number| names.get(number).cloned());
         Self {
             strips: strips.collect(),
             heights: heights.collect(),
@@ -52,7 +55,11 @@ impl LineNames {
 
     /// Message of a failure. `by_strip`: numbers of the core are those of strips.
     pub(crate) fn explain(&self, error: &CoreError, by_strip: bool) -> String {
-        let names = if by_strip { &self.strips } else { &self.pantographs };
+        let names = if by_strip {
+            &self.strips
+        } else {
+            &self.pantographs
+        };
         let named = |number: &usize| names.get(*number).map_or("a pantograph", String::as_str);
         match error {
             CoreError::OffWire {

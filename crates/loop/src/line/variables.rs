@@ -15,13 +15,19 @@ pub(crate) fn of(device: &LineDevice, prepared: &Prepared) -> Vec<Variable> {
     all.extend(constants(device.step_length, session.old_weight()));
     let what = "Flexibility of contact between strip and wire: 1 over the contact stiffness";
     let flexibility = session.contact_flexibility();
-    all.push(Variable::constant("contact_flexibility", "m/N", what, flexibility));
+    all.push(Variable::constant(
+        "contact_flexibility",
+        "m/N",
+        what,
+        flexibility,
+    ));
     all
 }
 
 fn inputs(device: &LineDevice, prepared: &Prepared) -> Vec<Variable> {
     let (names, start) = (&device.names, prepared.start);
-    let input = |name: String, unit, what: &str, start| Variable::input(name, unit, what.into(), start);
+    let input =
+        |name: String, unit, what: &str, start| Variable::input(name, unit, what.into(), start);
     let mut all = vec![match device.travel {
         Travel::Position => input(
             "position".into(),

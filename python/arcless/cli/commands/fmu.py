@@ -142,7 +142,9 @@ def _say(done: "Export", *, json: bool) -> None:
         return
     for role in ("input", "output"):
         names = [f"{v.name} [{v.unit}]" for v in described.of_role(role)]
-        shown = ", ".join(names[:8]) + (f", … ({len(names)})" if len(names) > len(names[:8]) else "")
+        shown = ", ".join(names[:8]) + (
+            f", … ({len(names)})" if len(names) > len(names[:8]) else ""
+        )
         console.data(f"{role}s: {shown}")
     console.data(f"steps of {1e3 * described.step_length:g} ms")
     if done.platforms:

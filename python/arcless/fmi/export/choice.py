@@ -1,4 +1,4 @@
-"""What of a scenario is exported, and what is given from outside."""
+"""Choice of what of a scenario is exported, and of what is given from outside."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -15,7 +15,7 @@ TRAVELS: tuple[Travel, ...] = ("position", "speed")
 
 @dataclass(frozen=True)
 class Choice:
-    """What of a scenario is exported.
+    """Choice of what of a scenario is exported.
 
     Attributes
     ----------

@@ -7,7 +7,7 @@ section 2.4. Every variable is a real number; its value reference is its number 
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
-from xml.etree import ElementTree as xml
+from xml.etree import ElementTree
 
 from arcless import _core
 
@@ -88,11 +88,12 @@ def describe(model: bytes, title: str, about: str, stop_time: float) -> Descript
 def model_description(description: Description, version: Version) -> bytes:
     """Return modelDescription.xml for a version of the FMI."""
     root = _fmi2(description) if version == 2 else _fmi3(description)  # noqa: PLR2004
-    xml.indent(root)
-    return b'<?xml version="1.0" encoding="UTF-8"?>\n' + xml.tostring(root, "utf-8") + b"\n"
+    ElementTree.indent(root)
+    text: str = ElementTree.tostring(root, "unicode")
+    return f'<?xml version="1.0" encoding="UTF-8"?>\n{text}\n'.encode()
 
 
-def _fmi2(d: Description) -> xml.Element:
+def _fmi2(d: Description) -> ElementTree.Element:
     root = _root(d, "2.0", guid=d.token)
     root.set("numberOfEventIndicators", "0")
     _add(
@@ -105,15 +106,15 @@ def _fmi2(d: Description) -> xml.Element:
         canNotUseMemoryManagementFunctions="true",
     )
     _add_common(root, d)
-    variables = xml.SubElement(root, "ModelVariables")
+    variables = ElementTree.SubElement(root, "ModelVariables")
     for variable in d.variables:
         scalar = _add(variables, "ScalarVariable", **_head(variable))
         real = _add(scalar, "Real", unit=variable.unit)
         if variable.role in ("input", "constant"):
             real.set("start", repr(variable.start))
-    structure = xml.SubElement(root, "ModelStructure")
-    outputs = xml.SubElement(structure, "Outputs")
-    unknowns = xml.SubElement(structure, "InitialUnknowns")
+    structure = ElementTree.SubElement(root, "ModelStructure")
+    outputs = ElementTree.SubElement(structure, "Outputs")
+    unknowns = ElementTree.SubElement(structure, "InitialUnknowns")
     for variable in d.of_role("output"):
         # Numbers of elements in the list of variables begin with 1.
         _add(outputs, "Unknown", index=variable.number + 1, **_depends(d, variable, 1))
@@ -121,7 +122,7 @@ def _fmi2(d: Description) -> xml.Element:
     return root
 
 
-def _fmi3(d: Description) -> xml.Element:
+def _fmi3(d: Description) -> ElementTree.Element:
     root = _root(d, "3.0", instantiationToken=d.token)
     _add(
         root,
@@ -133,12 +134,12 @@ def _fmi3(d: Description) -> xml.Element:
         fixedInternalStepSize=repr(d.step_length),
     )
     _add_common(root, d)
-    variables = xml.SubElement(root, "ModelVariables")
+    variables = ElementTree.SubElement(root, "ModelVariables")
     for variable in d.variables:
         real = _add(variables, "Float64", **_head(variable), unit=variable.unit)
         if variable.role in ("input", "constant"):
             real.set("start", repr(variable.start))
-    structure = xml.SubElement(root, "ModelStructure")
+    structure = ElementTree.SubElement(root, "ModelStructure")
     for variable in d.of_role("output"):
         depends = _depends(d, variable, 0)
         _add(structure, "Output", valueReference=variable.number, **depends)
@@ -147,27 +148,27 @@ def _fmi3(d: Description) -> xml.Element:
     return root
 
 
-def _root(d: Description, version: str, **token: str) -> xml.Element:
-    return xml.Element(
-        "fmiModelDescription",
-        fmiVersion=version,
-        modelName=d.title,
+def _root(d: Description, version: str, **token: str) -> ElementTree.Element:
+    attributes = {
+        "fmiVersion": version,
+        "modelName": d.title,
         **token,
-        description=d.about,
-        generationTool=f"Arcless {_core.__version__}",
-        variableNamingConvention="structured",
-    )
+        "description": d.about,
+        "generationTool": f"Arcless {_core.__version__}",
+        "variableNamingConvention": "structured",
+    }
+    return ElementTree.Element("fmiModelDescription", attributes)
 
 
-def _add_common(root: xml.Element, d: Description) -> None:
+def _add_common(root: ElementTree.Element, d: Description) -> None:
     """Add units, categories of messages, and the experiment of the scenario."""
-    units = xml.SubElement(root, "UnitDefinitions")
+    units = ElementTree.SubElement(root, "UnitDefinitions")
     used = {variable.unit for variable in d.variables}
     for name, exponents in UNITS.items():
         if name in used:
             unit = _add(units, "Unit", name=name)
             _add(unit, "BaseUnit", **{base: str(n) for base, n in exponents.items()})
-    categories = xml.SubElement(root, "LogCategories")
+    categories = ElementTree.SubElement(root, "LogCategories")
     for name, about in CATEGORIES.items():
         _add(categories, "Category", name=name, description=about)
     _add(
@@ -202,7 +203,7 @@ def _depends(d: Description, variable: Variable, first: int) -> dict[str, str]:
     return {"dependencies": " ".join(str(number) for number in inputs)}
 
 
-def _add(parent: xml.Element, tag: str, /, **attributes: object) -> xml.Element:
-    return xml.SubElement(parent, tag, {name: str(value) for name, value in attributes.items()})
-
-
+def _add(parent: ElementTree.Element, tag: str, /, **attributes: object) -> ElementTree.Element:
+    return ElementTree.SubElement(
+        parent, tag, {name: str(value) for name, value in attributes.items()}
+    )

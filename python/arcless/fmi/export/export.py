@@ -18,7 +18,7 @@ from arcless.storage.whole_files import check_writable, write_bytes
 
 @dataclass(frozen=True)
 class Export:
-    """What was written.
+    """File that was written.
 
     Attributes
     ----------

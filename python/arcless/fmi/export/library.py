@@ -27,9 +27,7 @@ PLATFORMS = {
     "aarch64-linux": Platform(
         "aarch64-linux", "aarch64-linux", "arcless_loop.so", "libarcless_loop.so"
     ),
-    "x86_64-windows": Platform(
-        "win64", "x86_64-windows", "arcless_loop.dll", "arcless_loop.dll"
-    ),
+    "x86_64-windows": Platform("win64", "x86_64-windows", "arcless_loop.dll", "arcless_loop.dll"),
 }
 
 

@@ -1,6 +1,7 @@
 """Scenario → model: the line at rest, or a pantograph, as bytes that the library opens."""
 
 from collections.abc import Sequence
+from typing import cast
 
 from arcless import _core
 from arcless.equilibrium import equilibrium
@@ -16,11 +17,15 @@ from arcless.simulate.session.start import check, given_forces, pantograph_at, s
 from arcless.simulate.setup import pantographs, trajectory
 from arcless.simulate.setup.core_data import (
     DriveData,
+    ExternalPantograph,
     OnLineData,
     PantographData,
     SessionStart,
     StripData,
 )
+
+# Mark of a pantograph that something outside moves: a session never asks it.
+OUTSIDE = object()
 
 
 def model_of(scenario: Scenario, choice: Choice) -> bytes:
@@ -120,12 +125,8 @@ def strips_alone(placement: PantographPlacement, speed: float) -> PantographData
         preload=(),
         lift=(),
         start_force=force,
-        external=_Outside(),
+        external=cast(ExternalPantograph, OUTSIDE),
     )
-
-
-class _Outside:
-    """Mark of a pantograph that something outside moves: a session asks nobody."""
 
 
 def heights_of(pantograph: Pantograph) -> list[tuple[int, str]]:

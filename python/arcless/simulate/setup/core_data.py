@@ -242,7 +242,7 @@ class SessionStart(NamedTuple):
 
 
 class SteppingData(NamedTuple):
-    """How a line is to be stepped."""
+    """Choice of the steps of a line."""
 
     scheme: tuple[str, list[float]]
     """Name and parameters."""
@@ -256,7 +256,7 @@ class SteppingData(NamedTuple):
 
 
 class DriveData(NamedTuple):
-    """What presses against an exported line: collectors or pantographs, external ones too."""
+    """Load of an exported line: collectors or pantographs, external ones too."""
 
     collectors: Sequence[CollectorData] = ()
     forces: Numbers = ()

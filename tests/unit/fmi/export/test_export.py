@@ -1,11 +1,14 @@
 """Files of exports: what the standard asks of them, variables, the same bytes."""
 
+import ctypes
 import json
+import re
 import zipfile
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import fmpy
 import pytest
 from fmpy.validation import validate_fmu
 
@@ -112,7 +115,9 @@ def test_choices_that_there_are_not(
 
 
 def test_what_a_loop_cannot_do_is_refused(scenario: Scenario, tmp_path: Path) -> None:
-    shaking = scenario.with_(**{"pantographs.0.mean_force": 120.0, "pantographs.0.static_force": None})
+    shaking = scenario.with_(
+        **{"pantographs.0.mean_force": 120.0, "pantographs.0.static_force": None}
+    )
     with pytest.raises(ModelError, match="not in a real-time loop"):
         export_fmu(shaking, tmp_path / "a.fmu", given="control-force")
     with pytest.raises(OutputError, match="no folder"):
@@ -133,3 +138,16 @@ def test_the_library_and_its_header_are_copied(tmp_path: Path) -> None:
     names = {path.name for path in copy_library(tmp_path)}
     assert {"libarcless_loop.so", "arcless_loop.h"} <= names
     assert arcless.fmi.copy_library is copy_library
+
+
+@pytest.mark.parametrize("version", [2, 3])
+def test_every_function_of_the_standard_exists(tmp_path: Path, version: int) -> None:
+    """Also those of model exchange, which importers may look for when they load the library."""
+    header = Path(fmpy.__file__).parent / "c-code" / f"fmi{version}Functions.h"
+    names = set(
+        re.findall(rf"^#define (fmi{version}\w+) +fmi\w+FullName", header.read_text(), re.M)
+    )
+    assert len(names) > 40
+    copy_library(tmp_path)
+    loaded = ctypes.CDLL(str(tmp_path / "libarcless_loop.so"))
+    assert {name for name in names if not hasattr(loaded, name)} == set()

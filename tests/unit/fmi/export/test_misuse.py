@@ -1,4 +1,4 @@
-"""What an importer does wrongly is refused with the variable and the time."""
+"""Mistakes of importers are refused with the variable and the time."""
 
 import zipfile
 from collections.abc import Callable
@@ -18,15 +18,18 @@ def test_a_number_that_is_none(fmu: Fmu, version: int, value: float) -> None:
     with driven(fmu(version)) as run:
         for _ in range(3):
             run.step()
-        words = r"`P1\.contact_force` is (NaN|-?inf) at t = 0\.00[0-9]+ s: expected a finite number in N"
+        words = r"`P1\.contact_force` is (NaN|-?inf) at t = 0\.00\d+ s: expected a finite .* in N"
         with pytest.raises(Failed, match=words):
             run.put({"P1.contact_force": value})
-        with pytest.raises(Failed, match="a step is asked for at t = .* after an error"):
+        with pytest.raises(Failed, match=r"a step is asked for at t = .* after an error"):
             run.step()
 
 
 def test_what_is_no_input(fmu: Fmu) -> None:
-    with driven(fmu(2)) as run, pytest.raises(Failed, match="`P1.wire_height` is set .* an output"):
+    with (
+        driven(fmu(2)) as run,
+        pytest.raises(Failed, match=r"`P1.wire_height` is set .* an output"),
+    ):
         run.put({"P1.wire_height": 5.0})
     with driven(fmu(2)) as run:
         run.numbers["nothing"] = 10_000
@@ -46,22 +49,26 @@ def test_steps_of_another_length_or_out_of_order(fmu: Fmu, version: int) -> None
     for at in (0.0, 5.0, nan):
         with driven(path) as run:
             run.step()
-            words = r"a step from t = .* s: the device stands at t = .* s, and steps follow one another"
+            words = (
+                r"a step from t = .* s: the device stands at t = .* s, and steps follow one another"
+            )
             with pytest.raises(Failed, match=words):
                 run.attempt("doStep", at, run.h)
 
 
 def test_functions_out_of_order(fmu: Fmu) -> None:
-    with driven(fmu(2)) as run:
-        with pytest.raises(Failed, match="the initialization begins at t = 0 s, while steps"):
-            run.attempt("enterInitializationMode")
+    words = "the initialization begins at t = 0 s, while steps"
+    with driven(fmu(2)) as run, pytest.raises(Failed, match=words):
+        run.attempt("enterInitializationMode")
     with driven(fmu(2)) as run:
         run.attempt("terminate")
         with pytest.raises(Failed, match="a step is asked for at t = 0 s, after the end"):
             run.step()
     with driven(fmu(2)) as run:
         run.attempt("reset")
-        with pytest.raises(Failed, match="a step is asked for at t = 0 s, before the initialization"):
+        with pytest.raises(
+            Failed, match="a step is asked for at t = 0 s, before the initialization"
+        ):
             run.step()
 
 
@@ -80,7 +87,9 @@ def test_the_end_of_the_line(fmu: Fmu) -> None:
         state = run.attempt("getFMUstate")
         run.put({"speed": 3000.0})
         run.step()
-        with pytest.raises(Failed, match=r"the step from t = .* `P1` is at .* no contact wire") as no:
+        with pytest.raises(
+            Failed, match=r"the step from t = .* `P1` is at .* no contact wire"
+        ) as no:
             for _ in range(1000):
                 run.step()
         assert "status 2" in str(no.value)  # discarded
@@ -90,7 +99,9 @@ def test_the_end_of_the_line(fmu: Fmu) -> None:
         run.step()
     with driven(fmu(2)) as run:
         run.put({"speed": 3000.0})
-        with pytest.raises(Failed, match=r"`P1.compliance` has no value at t = .*: `P1` is at") as no:
+        with pytest.raises(
+            Failed, match=r"`P1.compliance` has no value at t = .*: `P1` is at"
+        ) as no:
             while True:
                 run.step()
                 run.value("compliance")
@@ -115,7 +126,10 @@ def _model(change: Callable[[bytes], bytes]) -> Callable[[str, bytes], bytes | N
 @pytest.mark.parametrize(
     ("change", "words"),
     [
-        (lambda b: b[:2000] + bytes([b[2000] ^ 1]) + b[2001:], "the model was changed after its export"),
+        (
+            lambda b: b[:2000] + bytes([b[2000] ^ 1]) + b[2001:],
+            "the model was changed after its export",
+        ),
         (lambda b: b[:-1], r"the model is cut off: it has \d+ bytes, expected \d+"),
         (lambda b: b[:8] + b"\x07" + b[9:], "the model has format 7, this library reads 1"),
         (lambda b: b"PK" + b[2:], "no model of `arcless fmu export`"),
@@ -134,16 +148,20 @@ def test_a_model_of_another_description(fmu: Fmu, tmp_path: Path) -> None:
     with zipfile.ZipFile(fmu(2, given="control-force")) as file:
         other = file.read("resources/model.loop")
     copy = _changed(fmu(2), tmp_path, _model(lambda _: other))
-    with pytest.raises(Failed, match="the description is of the model .* the resources have"):
-        with driven(copy):
-            pass
+    with (
+        pytest.raises(Failed, match=r"the description is of the model .* the resources have"),
+        driven(copy),
+    ):
+        pass
 
 
 def test_a_model_that_is_missing(fmu: Fmu, tmp_path: Path) -> None:
     copy = _changed(fmu(3), tmp_path, lambda n, b: None if n.endswith(".loop") else b)
-    with pytest.raises(Failed, match="the model of the FMU cannot be read: .*model.loop"):
-        with driven(copy):
-            pass
+    with (
+        pytest.raises(Failed, match=r"the model of the FMU cannot be read: .*model.loop"),
+        driven(copy),
+    ):
+        pass
 
 
 def test_an_fmu_for_another_platform(fmu: Fmu, tmp_path: Path) -> None:

@@ -278,7 +278,9 @@ impl Stepper {
     fn predict(&mut self, number: usize) -> Result<(), Failure> {
         let (known, later) = self.values.split_at_mut(self.predictions.start);
         let inputs = &known[self.inputs.clone()];
-        let found = self.device.predict(inputs, &mut later[..self.predictions.len()]);
+        let found = self
+            .device
+            .predict(inputs, &mut later[..self.predictions.len()]);
         if let Err(error) = found {
             let (name, reason) = (&self.variables[number].name, self.device.explain(&error));
             let message = format!("`{name}` has no value at t = {} s: {reason}", self.time());
@@ -409,3 +411,6 @@ impl std::fmt::Debug for Stepper {
             .finish_non_exhaustive()
     }
 }
+
+#[cfg(test)]
+mod tests;
