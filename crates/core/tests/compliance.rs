@@ -75,7 +75,8 @@ fn heights_are_those_of_a_step<const DIM: usize, const D: usize>(
         let [w00, w01, w10, w11] = found.matrix[..] else {
             panic!("{found:?}");
         };
-        assert!((w01 - w10).abs() < 1e-9 * w00, "{found:?}");
+        // Damping of slack links, whose tension follows their elongation, not the force above them.
+        assert!((w01 - w10).abs() < 1e-3 * w00, "{found:?}");
         assert!(w00 > 0.0 && w00 * w11 > w01 * w10, "{found:?}");
         let saved = session.save().expect("a state");
         // So little that no link slackens or tightens because of it.
@@ -128,8 +129,12 @@ fn slack_links_make_the_wire_softer() {
     assert!(softness(500.0) > 1.001 * softness(10.0));
 }
 
-/// Pantographs outside that solve contact with the compliance of the line move as those inside.
-fn coupled_outside<const DIM: usize, const D: usize>(p: &Arc<WireModel<DIM, D>>) {
+/// Pantographs outside that solve contact with the compliance of the line: the largest difference
+/// of their contact forces from those inside, as a share. In each step they ask `rounds` times.
+fn coupled_outside<const DIM: usize, const D: usize>(
+    p: &Arc<WireModel<DIM, D>>,
+    rounds: usize,
+) -> f64 {
     const FORCE: f64 = 120.0;
     const STEPS: usize = 400;
     let mut way = steady(START, SPEED, H, STEPS);
@@ -148,23 +153,22 @@ fn coupled_outside<const DIM: usize, const D: usize>(p: &Arc<WireModel<DIM, D>>)
     let (mut solver, mut forces) = (LcpSolver::new(), Vec::new());
     for step in 0..STEPS {
         let next = position(step + 1);
-        let line = session
-            .compliance(next, SPEED)
-            .expect("a compliance")
-            .clone();
-        let (mut h, mut w) = (line.matrix, line.free_height);
-        let mut columns = Vec::new();
-        for (number, state) in states.iter_mut().enumerate() {
-            let e = state.model.strips[0].vectors[0].clone();
-            state.predict(&c, SPEED);
-            columns.push(state.response(&e));
-            w[number] -= inner(&e, &state.u) + keep * inner(&e, &state.delta);
-            h[3 * number] += keep * inner(&e, &columns[number]) + 1.0 / CONTACT;
-        }
+        let e = [0.0, 0.0, 1.0];
+        states.iter_mut().for_each(|state| state.predict(&c, SPEED));
+        let columns = [0, 1].map(|number: usize| states[number].response(&e));
         let (mut x, mut y) = ([0.0; 2], [0.0; 2]);
-        solver
-            .solve(&h, &w, &mut x, &mut y, &[])
-            .expect("a solution");
+        x.copy_from_slice(&session.outputs().force);
+        for _ in 0..rounds {
+            let line = session.compliance_about(&x, next, SPEED);
+            let line = line.expect("a compliance").clone();
+            let (mut h, mut w) = (line.matrix, line.free_height);
+            for (number, state) in states.iter().enumerate() {
+                w[number] -= inner(&e, &state.u) + keep * inner(&e, &state.delta);
+                h[3 * number] += keep * inner(&e, &columns[number]) + 1.0 / CONTACT;
+            }
+            let solved = solver.solve(&h, &w, &mut x, &mut y, &[]);
+            solved.expect("a solution");
+        }
         for (state, (force, column)) in states.iter_mut().zip(x.iter().zip(&columns)) {
             state.apply_contact_force(*force, column);
             state.commit(&c);
@@ -172,18 +176,25 @@ fn coupled_outside<const DIM: usize, const D: usize>(p: &Arc<WireModel<DIM, D>>)
         session.step(&x, next, SPEED).expect("a step");
         forces.extend_from_slice(&x);
     }
-    // Rounding; links that slacken at other forces than those of the step before would be more.
-    let off = difference(&forces, &record.force);
-    assert!(off < 1e-9, "{off}");
+    difference(&forces, &record.force)
 }
 
 #[test]
 fn a_pantograph_outside_is_coupled_as_one_inside() {
-    coupled_outside(&planar(Scheme::generalised_alpha(0.9)));
-    coupled_outside(&planar(Scheme::generalised_alpha(1.0)));
-    coupled_outside(&planar(Scheme::BackwardDifference));
-    coupled_outside(&yielding(Scheme::generalised_alpha(0.9)));
-    coupled_outside(&chain());
+    let p = planar(Scheme::generalised_alpha(0.9));
+    // Asked once, it is wrong in the steps in which a link slackens or tightens.
+    let once = coupled_outside(&p, 1);
+    assert!(once > 1e-9 && once < 1e-3, "{once}");
+    // Asked until the slack links stay, which takes a third time at most, all that is left is
+    // rounding.
+    let all = [
+        coupled_outside(&p, 3),
+        coupled_outside(&planar(Scheme::generalised_alpha(1.0)), 3),
+        coupled_outside(&planar(Scheme::BackwardDifference), 3),
+        coupled_outside(&yielding(Scheme::generalised_alpha(0.9)), 3),
+        coupled_outside(&chain(), 3),
+    ];
+    assert!(all.iter().all(|off| *off < 1e-9), "{all:?}");
 }
 
 #[test]

@@ -119,15 +119,16 @@ impl Session {
     }
 
     /// Wire at the collectors at the time of balance of the coming step, which is to end at
-    /// `position` (m) with `speed` (m/s): heights in m if none pressed in it, and their matrix of
-    /// m/N row by row.
+    /// `position` (m) with `speed` (m/s), about `forces` (N): heights in m if none pressed in it,
+    /// and their matrix of m/N row by row.
     fn compliance<'py>(
         &mut self,
         py: Python<'py>,
+        forces: PyReadonlyArray1<'_, f64>,
         position: f64,
         speed: f64,
     ) -> PyResult<(Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>)> {
-        let found = self.0.compliance(position, speed);
+        let found = self.0.compliance_about(forces.as_slice()?, position, speed);
         let found = found.map_err(|e| convert(py, &e))?;
         let [heights, matrix] = [&found.free_height, &found.matrix];
         Ok((heights.to_pyarray(py), matrix.to_pyarray(py)))
