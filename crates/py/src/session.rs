@@ -122,6 +122,32 @@ impl Session {
         self.read(out)
     }
 
+    /// Wire at the collectors at the time of balance of the coming step, which is to end at
+    /// `position` (m) with `speed` (m/s), about `forces` (N): heights in m if none pressed in it,
+    /// and their matrix of m/N row by row.
+    fn compliance<'py>(
+        &mut self,
+        py: Python<'py>,
+        forces: PyReadonlyArray1<'_, f64>,
+        position: f64,
+        speed: f64,
+    ) -> PyResult<(Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>)> {
+        let found = self.0.compliance_about(forces.as_slice()?, position, speed);
+        let found = found.map_err(|e| convert(py, &e))?;
+        let [heights, matrix] = [&found.free_height, &found.matrix];
+        Ok((heights.to_pyarray(py), matrix.to_pyarray(py)))
+    }
+
+    /// Choose the nodes whose uplift is read, before the first step.
+    fn watch(&mut self, py: Python<'_>, nodes: Vec<usize>) -> PyResult<()> {
+        self.0.watch(&nodes).map_err(|e| convert(py, &e))
+    }
+
+    /// Uplift of the watched nodes at the end of the last step, m.
+    fn uplift<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        self.0.outputs().uplift.to_pyarray(py)
+    }
+
     /// Heights of the strips of external pantographs at the end of the last step, m.
     fn strip_heights<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
         let outputs = self.0.outputs();

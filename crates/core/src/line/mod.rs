@@ -1,5 +1,5 @@
-//! Lines at rest, and lines prepared for steps, of the four kinds that there are: in the plane or in
-//! space, of Hermite elements or of chains of point masses.
+//! Lines at rest and lines prepared for steps, of the four kinds that there are: in the plane or
+//! in space, of Hermite elements or of chains of point masses.
 //!
 //! ```text
 //! Structure ─→ AnyLine (shape at rest) ─prepare→ AnyWireModel ─→ runs, AnySession

@@ -1,8 +1,8 @@
-//! How a line is to be stepped.
+//! Choice of the steps of a line.
 
 use crate::scheme::Scheme;
 
-/// Choice of the steps of a line.
+/// Scheme, step length and contact of a line that is stepped.
 #[derive(Debug, Clone, Copy)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Stepping {

@@ -96,6 +96,19 @@ impl AnySession {
         each_kind!(self, Self, session => session.compliance(position, speed))
     }
 
+    /// Finds the wire about other forces: see [`Session::compliance_about`].
+    ///
+    /// # Errors
+    /// As there.
+    pub fn compliance_about(
+        &mut self,
+        forces: &[f64],
+        position: f64,
+        speed: f64,
+    ) -> Result<&Compliance, CoreError> {
+        each_kind!(self, Self, session => session.compliance_about(forces, position, speed))
+    }
+
     /// Chooses the nodes whose uplift is read: see [`Session::watch`].
     ///
     /// # Errors

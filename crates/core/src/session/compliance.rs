@@ -12,8 +12,9 @@
 //!
 //!   W = a (H_cc − H_cS H_SS⁻¹ H_Sc)
 //!
-//! z₀ and S are those of the step under the forces of the step before. So z_f is exact as long as
-//! no link slackens or tightens because λ differs from these. W leaves out friction along the wire,
+//! z₀ and S are those of the step under given forces, at first those of the step before. So z_f is
+//! exact as long as no link slackens or tightens because λ differs from these; a program that asks
+//! again about the λ that it has found solves contact exactly once they stay. W leaves out friction along the wire,
 //! which z₀ has from the same forces. It is symmetric, unless a slack link is damped.
 
 use crate::constraint::contacts::Contact;
@@ -39,6 +40,8 @@ pub(crate) struct ComplianceWork<const DIM: usize> {
     result: Compliance,
     /// Contacts at the collectors, at the time of balance.
     contacts: Vec<Contact<DIM>>,
+    /// Forces about which the coming step is linear, N.
+    about: Vec<f64>,
     /// Data of the step before, which are kept: forces (N), corrections (N), points.
     forces: Vec<f64>,
     correction: Vec<f64>,
@@ -57,6 +60,7 @@ impl<const DIM: usize> ComplianceWork<DIM> {
         result.matrix.resize(collectors * collectors, 0.0);
         let contact = |number| Contact::at_point(number, SlidelinePoint::default());
         self.contacts = (0..collectors).map(contact).collect();
+        self.about.resize(collectors, 0.0);
         self.forces.resize(collectors, 0.0);
         self.correction.resize(links, 0.0);
         self.points.resize(collectors, SlidelinePoint::default());
@@ -68,12 +72,37 @@ impl<const DIM: usize> ComplianceWork<DIM> {
 
 impl<const DIM: usize, const D: usize> Session<DIM, D> {
     /// Finds the wire at the collectors in the coming step, which is to end at `position` (m) with
-    /// `speed` (m/s). It takes about as long as a step, allocates nothing, and changes no later
-    /// step.
+    /// `speed` (m/s), about the forces of the step before. It takes about as long as a step,
+    /// allocates nothing, and changes no later step.
     ///
     /// # Errors
     /// [`CoreError::Input`] where no forces are given, or any [`CoreError`] that a step can raise.
     pub fn compliance(&mut self, position: f64, speed: f64) -> Result<&Compliance, CoreError> {
+        self.compliance.about.clone_from(&self.collectors.forces);
+        self.find_compliance(position, speed)
+    }
+
+    /// Finds the wire as [`Session::compliance`] does, about other forces, N: those that a program
+    /// outside has found from it, when it asks again until they stay.
+    ///
+    /// # Errors
+    /// As there; [`CoreError::Input`] for forces that are not finite, or not one for each collector.
+    pub fn compliance_about(
+        &mut self,
+        forces: &[f64],
+        position: f64,
+        speed: f64,
+    ) -> Result<&Compliance, CoreError> {
+        let is_finite = forces.iter().all(|force| force.is_finite());
+        if forces.len() != self.collectors.all.len() || !is_finite {
+            let reason = "not one for each collector, or not finite";
+            return Err(CoreError::invalid("forces", reason));
+        }
+        self.compliance.about.copy_from_slice(forces);
+        self.find_compliance(position, speed)
+    }
+
+    fn find_compliance(&mut self, position: f64, speed: f64) -> Result<&Compliance, CoreError> {
         if self.collectors.all.is_empty() {
             let reason = "none: compliance is that at collectors with given forces";
             return Err(CoreError::invalid("collectors", reason));
@@ -94,12 +123,12 @@ impl<const DIM: usize, const D: usize> Session<DIM, D> {
         found.map(|()| &self.compliance.result)
     }
 
-    /// Solves the coming step under the forces of the step before, without taking it, and reads
+    /// Solves the coming step under the forces about which it is linear, without taking it, and reads
     /// the wire at the collectors.
     fn try_step(&mut self, position: f64, speed: f64) -> Result<(), CoreError> {
-        let forces = std::mem::take(&mut self.compliance.forces);
-        let tried = self.solve_step(&forces, position, speed);
-        self.compliance.forces = forces;
+        let about = std::mem::take(&mut self.compliance.about);
+        let tried = self.solve_step(&about, position, speed);
+        self.compliance.about = about;
         tried?;
         self.find_matrix();
         self.find_free_heights();
@@ -171,7 +200,7 @@ impl<const DIM: usize, const D: usize> Session<DIM, D> {
         }
     }
 
-    /// Finds z₀ from the heights under the forces of the step before.
+    /// Finds z₀ from the heights of the step that was solved.
     fn find_free_heights(&mut self) {
         let (line, motion) = (&*self.model.line, &self.state.motion);
         let model = self.model.borrow();
@@ -189,7 +218,7 @@ impl<const DIM: usize, const D: usize> Session<DIM, D> {
                 + contact.compliance.static_height
                 + motion.raised_by_links(&model, &contact.compliance, keep)
                 + corrected.sum::<f64>();
-            for (source, force) in work.forces.iter().enumerate() {
+            for (source, force) in work.about.iter().enumerate() {
                 height += force * line.residual_compliance(contact, &work.contacts[source]);
                 height -= force * work.result.matrix[target * n + source];
             }

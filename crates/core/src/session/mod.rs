@@ -27,8 +27,10 @@ pub(crate) mod collectors;
 pub(crate) mod compliance;
 pub(crate) mod outputs;
 pub mod prepared;
+pub(crate) mod saved;
 pub(crate) mod snapshot;
 pub(crate) mod start;
+pub(crate) mod strips;
 pub(crate) mod subgrid_height;
 pub(crate) mod watched;
 
@@ -38,7 +40,6 @@ pub use compliance::Compliance;
 pub use outputs::Outputs;
 pub use prepared::{Drive, Prepared};
 
-use crate::checkpoint::Checkpoint;
 use crate::error::CoreError;
 use crate::integrator::wire_model::WireModel;
 use crate::linear::loads::Loads;
@@ -120,12 +121,6 @@ pub(crate) fn step_inputs<const DIM: usize>(
     }
 }
 
-/// Name of the watched nodes among the numbers of a saved state, where there are any.
-const WATCHED: &str = "loop_watched";
-
-/// Name of position and speed among the numbers of a saved state.
-const POSITION_AND_SPEED: &str = "loop_position_speed";
-
 impl<const DIM: usize, const D: usize> Session<DIM, D> {
     /// Takes a step that ends at `position` (m) with `speed` (m/s). `forces` in N act during the
     /// step: one for each collector where forces are given, else one for the actuator of each
@@ -146,55 +141,13 @@ impl<const DIM: usize, const D: usize> Session<DIM, D> {
         self.take_step(forces, position, speed)
     }
 
-    /// Takes a step that ends at `position` (m) with `speed` (m/s), where strips are given.
-    /// `heights` are those of all coordinates of all pantographs at the end of the step if nothing
-    /// presses during it, above the rail, m; `compliance` has the matrix of each pantograph, m/N,
-    /// row by row, one after the other. Zeros hold the strips at their heights.
-    ///
-    /// Allocations and failures as in [`Session::step`].
-    ///
-    /// # Errors
-    /// [`CoreError::Input`], or any [`CoreError`] that a step can raise.
-    pub fn step_strips(
+    /// Takes a step with checked inputs.
+    pub(crate) fn take_step(
         &mut self,
-        heights: &[f64],
-        compliance: &[f64],
+        forces: &[f64],
         position: f64,
         speed: f64,
     ) -> Result<(), CoreError> {
-        if !position.is_finite() || !speed.is_finite() {
-            return Err(CoreError::invalid("position", "not finite"));
-        }
-        let sizes = self.model.pantographs.iter().map(Pantograph::size);
-        let counts = [heights.len(), compliance.len()];
-        let expected = sizes.fold([0, 0], |[n, squares], size| {
-            [n + size, squares + size * size]
-        });
-        if !self.has_strips() || counts != expected {
-            let reason = format!("{counts:?} heights and compliances, expected {expected:?}");
-            return Err(CoreError::invalid("strips", reason));
-        }
-        let (mut heights, mut compliance) = (heights, compliance);
-        for number in 0..self.model.pantographs.len() {
-            let size = self.model.pantographs[number].size();
-            let (own, others) = heights.split_at(size);
-            let (matrix, other_matrices) = compliance.split_at(size * size);
-            let set = self.state.motion.set_external(number, own, matrix);
-            set.map_err(|reason| {
-                CoreError::invalid("strips", format!("pantograph {number}: {reason}"))
-            })?;
-            (heights, compliance) = (others, other_matrices);
-        }
-        self.take_step(&[], position, speed)
-    }
-
-    /// Whether strips are given.
-    fn has_strips(&self) -> bool {
-        self.model.pantographs.iter().any(|p| p.is_external)
-    }
-
-    /// Takes a step with checked inputs.
-    fn take_step(&mut self, forces: &[f64], position: f64, speed: f64) -> Result<(), CoreError> {
         let positions = self.positions(position);
         self.set_forces(forces, positions)?;
         let speed_at_balance = self.at_balance(self.speed, speed);
@@ -337,50 +290,6 @@ impl<const DIM: usize, const D: usize> Session<DIM, D> {
         let Outputs { force, uplift, .. } = &mut self.outputs;
         read_uplifts(&self.watched, &snapshot, force, uplift);
         Ok(())
-    }
-
-    /// Saves the state between two steps.
-    ///
-    /// # Errors
-    /// None for a state that steps have left.
-    pub fn save(&mut self) -> Result<Checkpoint, CoreError> {
-        let mut saved = self.state.save(&self.model.borrow())?;
-        let numbers = vec![self.position, self.speed];
-        saved.numbers.insert(POSITION_AND_SPEED.into(), numbers);
-        if !self.watched.is_empty() {
-            saved.numbers.insert(WATCHED.into(), self.watched_numbers());
-        }
-        Ok(saved)
-    }
-
-    /// Restores a saved state of this session, or of another one on the same line with as many
-    /// pantographs.
-    ///
-    /// # Errors
-    /// [`CoreError::Input`] for a state of another session; the present one is then kept.
-    pub fn restore(&mut self, saved: &Checkpoint) -> Result<(), CoreError> {
-        let mut saved = saved.clone();
-        let numbers = saved.numbers.remove(POSITION_AND_SPEED).unwrap_or_default();
-        let [position, speed] = numbers[..] else {
-            return Err(CoreError::invalid("state", "it is not of a loop"));
-        };
-        let watched = saved.numbers.remove(WATCHED).unwrap_or_default();
-        if watched != self.watched_numbers() {
-            let reason = "it is of a loop that watches other nodes";
-            return Err(CoreError::invalid("state", reason));
-        }
-        let mut state = self.state.clone();
-        state.restore(&self.model.borrow(), &saved)?;
-        let before = (self.position, self.speed);
-        (self.position, self.speed) = (position, speed);
-        let before_state = std::mem::replace(&mut self.state, state);
-        let restored = self.read_outputs();
-        if restored.is_err() {
-            (self.position, self.speed) = before;
-            self.state = before_state;
-            self.read_outputs()?;
-        }
-        restored
     }
 }
 

@@ -17,9 +17,9 @@ pub struct Prepared {
     pub shape: Vec<f64>,
     /// Wire elements of each lane in the order of the track.
     pub lanes: Vec<Vec<usize>>,
-    /// How the line is stepped.
+    /// Scheme, step length and contact.
     pub stepping: Stepping,
-    /// What presses against the line.
+    /// Forces, pantographs or strips that press against the line.
     pub drive: Drive,
     /// Position, speed and friction at the start.
     pub start: SessionStart,
@@ -27,7 +27,8 @@ pub struct Prepared {
     pub watched: Vec<usize>,
 }
 
-/// What presses against the line, as kinds of [session](crate::session).
+/// Forces, pantographs or strips that press against a line: the kinds of
+/// [session](crate::session).
 #[derive(Debug, Clone)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Drive {

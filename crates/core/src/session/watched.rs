@@ -49,7 +49,8 @@ impl<const DIM: usize, const D: usize> Session<DIM, D> {
 fn place<const DIM: usize>(lanes: &[Slideline<DIM>], node: usize) -> Option<TouchPoint<DIM>> {
     let mut yielding = lanes.iter().enumerate().filter(|(_, s)| !s.is_rigid());
     yielding.find_map(|(slideline, lane)| {
-        let (_, point) = lane.node_points().find(|(other, _)| *other == node)?;
+        // Of a node between two elements the point of the second, as runs record it.
+        let (_, point) = lane.node_points().filter(|(n, _)| *n == node).last()?;
         Some(TouchPoint {
             slideline,
             point,
