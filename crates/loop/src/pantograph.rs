@@ -193,7 +193,7 @@ impl PantographDevice {
         let mut all = Vec::new();
         for prefix in strip_prefixes(count) {
             let what = "Height of the strip above the rail at the end of the next step without \
-                        contact force in it";
+                        contact force in it, about the one that is set";
             all.push(Variable::prediction(
                 format!("{prefix}free_height"),
                 "m",

@@ -9,7 +9,6 @@ from arcless.cli.commands import (
     compare,
     explain,
     export,
-    fmu,
     replay,
     resume,
     run,
@@ -20,7 +19,7 @@ from arcless.cli.commands import (
     validate,
 )
 from arcless.cli.commands.measurements import measure
-from arcless.cli.commands.models import model_files, own_models, table
+from arcless.cli.commands.models import fmu, model_files, own_models, table
 from arcless.cli.completion import scripts
 from arcless.cli.process.guard import GuardedGroup
 from arcless.cli.terminal.console import data

@@ -9,8 +9,9 @@
 //!   z = z₀ − S λ,   S = eᵀA⁻¹e − eᵀA⁻¹ (± D) H⁻¹ Dᵀ A⁻¹e
 //!
 //! where D are the directions, and H the matrix, of the stops and breakpoints that are closed in
-//! that step under the contact forces of the step before. Without stops and tables this is exact;
-//! with them as long as none opens or closes because the contact force changes.
+//! that step under contact forces that the asking program supposes. Without stops and tables this
+//! is exact; with them as long as none opens or closes because the contact force is another one:
+//! a program that asks again about the forces it has found is exact once they stay.
 
 use crate::checkpoint::{Archive, Checkpoint};
 use crate::each_kind;
@@ -118,8 +119,7 @@ pub struct Alone {
     start: AloneStart,
     strips: Vec<StripNow>,
     excitation: ExcitationNow,
-    /// Contact forces and lateral positions of the last step, N and m.
-    forces: Vec<f64>,
+    /// Lateral positions of the wires in the last step, m.
     laterals: Vec<f64>,
     problem: BreakpointProblem,
     /// Forces of the breakpoints and branches, while the step that comes is looked at.
@@ -154,7 +154,6 @@ impl Alone {
         let mut made = Self {
             strips: strips.collect(),
             excitation: ExcitationNow::zero(state.model.size()),
-            forces: start.forces.clone(),
             laterals: start.laterals.clone(),
             problem: BreakpointProblem::with_room(breakpoints),
             kept: (Vec::with_capacity(breakpoints), Vec::with_capacity(tables)),
@@ -227,14 +226,13 @@ impl Alone {
         }
         self.state.commit(&self.coefficients);
         self.state.record_ranges(&self.coefficients);
-        self.forces.copy_from_slice(inputs.forces);
         self.laterals.copy_from_slice(inputs.laterals);
         self.steps += 1;
         Ok(())
     }
 
     /// Looks at the step that comes: heights z₀ of the strips at its end without contact forces, m,
-    /// and compliance S between them, m/N, row by row. The contact forces of `inputs` do not count.
+    /// and compliance S between them, m/N, row by row, about the contact forces of `inputs`.
     ///
     /// # Errors
     /// As [`Alone::step`].
@@ -247,12 +245,10 @@ impl Alone {
         self.check_inputs(inputs)?;
         self.keep_breakpoints();
         self.predict(inputs);
-        let forces = std::mem::take(&mut self.forces);
-        let found = self.solve(&forces);
+        let found = self.solve(inputs.forces);
         if found.is_ok() {
-            self.yield_of_strips(&forces, heights, compliance);
+            self.yield_of_strips(inputs.forces, heights, compliance);
         }
-        self.forces = forces;
         self.restore_breakpoints();
         self.move_wires();
         found
@@ -289,7 +285,6 @@ impl Alone {
     fn archive(&mut self, archive: &mut Archive<'_>) -> Result<(), CoreError> {
         let start = &mut self.start.displacements;
         archive_pantograph(&mut self.state, start, archive, "alone")?;
-        archive.numbers("alone_forces", self.forces.iter_mut())?;
         archive.numbers("alone_laterals", self.laterals.iter_mut())
     }
 

@@ -287,7 +287,9 @@ impl Device for LineDevice {
 
     fn predict(&mut self, inputs: &[f64], outputs: &mut [f64]) -> Result<(), CoreError> {
         let (position, speed) = self.end(inputs, Substep::WHOLE);
-        let found = self.session.compliance(position, speed)?;
+        let found = self
+            .session
+            .compliance_about(&inputs[1..], position, speed)?;
         let count = found.free_height.len();
         let stiffness = (0..count).map(|i| 1.0 / found.matrix[i * count + i]);
         let all = found.free_height.iter().chain(&found.matrix).copied();

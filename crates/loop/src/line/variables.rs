@@ -147,7 +147,7 @@ fn predictions(device: &LineDevice) -> Vec<Variable> {
     let mut all = Vec::new();
     for name in strips {
         let what = "Height of the contact wire at the time of balance of the next step without \
-                    contact forces in it";
+                    contact forces in it, about those that are set";
         all.push(prediction(format!("{name}.free_height"), "m", what));
     }
     for place in (0..count).flat_map(|i| (0..count).map(move |j| (i, j))) {

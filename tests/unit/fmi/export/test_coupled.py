@@ -34,8 +34,8 @@ class ByName:
     def set(self, name: str, value: float) -> None:
         self.run.put({name: value})
 
-    def step(self) -> None:
-        self.run.step()
+    def step(self, count: int = 1) -> None:
+        self.run.step(count * self.run.h)
 
 
 def inside(scenario: Scenario) -> list[float]:
@@ -73,21 +73,22 @@ def test_both_compliances_solve_the_contact(
     assert found == pytest.approx(expected, abs=1e-9)
 
 
-def test_plain_exchange_is_unstable_with_a_stiff_contact(short: Short, fmu: Fmu) -> None:
-    """With a spring as soft as a pantograph head it is near; as stiff as contact it blows up."""
-    scenario = short(**SMOOTH)
-    expected = inside(scenario)
+@pytest.mark.parametrize(("stiffness", "is_lost"), [(50e3, False), (800e3, True)])
+def test_plain_exchange_is_lost_with_a_stiff_contact(
+    short: Short, fmu: Fmu, stiffness: float, is_lost: bool
+) -> None:
+    """Forces a step late are near with a soft contact, and swing without bounds with a stiff one.
 
-    def off(stiffness: float) -> tuple[float, int | None]:
-        with (
-            driven(fmu(2, of=scenario)) as line,
-            driven(fmu(3, of=scenario, pantograph="P1")) as pantograph,
-        ):
-            pair: Any = (ByName(line), ByName(pantograph))
-            return compared(*pair, plain(stiffness), expected)
-
-    _, step = off(50e3)
-    assert step is not None
-    largest, step = off(1e3)
-    assert step is None
+    Where waves leave it the wire yields as a damper of 2 √(T μ) ≈ 0.3 kN s/m: with a spring k the
+    force of a step later is 1 − k h/(2 √(T μ)) times that of now, whose size is above 1 for
+    k h > 0.6 kN s/m, k > 600 kN/m at 1 ms; with the strip, that yields too, for less.
+    """
+    scenario = short(**SMOOTH, **{"contact.stiffness": stiffness})
+    with (
+        driven(fmu(2, of=scenario)) as line,
+        driven(fmu(3, of=scenario, pantograph="P1")) as pantograph,
+    ):
+        pair: Any = (ByName(line), ByName(pantograph))
+        largest, lost = compared(*pair, plain(stiffness), inside(scenario))
     assert largest > 1.0
+    assert (lost is not None) == is_lost
