@@ -17,7 +17,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// Session on a line in two or three dimensions; see [`Any`].
-enum AnySession {
+pub(crate) enum AnySession {
     Planar(session::Session<2, 4>),
     Spatial(session::Session<3, 6>),
     PlanarChain(session::Session<2, 2>),
@@ -39,9 +39,50 @@ macro_rules! either {
 // Python's objects are aligned to 16 bytes, and what lies in them is stepped where it lies.
 const _: () = assert!(align_of::<AnySession>() <= 16);
 
+impl AnySession {
+    /// Takes a step, see [`session::Session::step`].
+    pub(crate) fn step(
+        &mut self,
+        forces: &[f64],
+        position: f64,
+        speed: f64,
+    ) -> Result<(), CoreError> {
+        either!(self, session => session.step(forces, position, speed))
+    }
+
+    /// Number of forces that a step takes.
+    pub(crate) fn inputs(&self) -> usize {
+        either!(self, session => session.inputs())
+    }
+
+    /// Number of values that a step leaves.
+    pub(crate) fn width(&self) -> usize {
+        let outputs = either!(self, session => session.outputs());
+        4 * outputs.force.len() + 2 * outputs.velocity.len()
+    }
+
+    /// Writes what the last step left into an array of [`Self::width`] values.
+    pub(crate) fn write(&self, out: &mut [f64]) {
+        let r = either!(self, session => session.outputs());
+        let parts = [
+            &r.force,
+            &r.height,
+            &r.lateral,
+            &r.rate,
+            &r.displacement,
+            &r.velocity,
+        ];
+        let mut first = 0;
+        for part in parts {
+            out[first..first + part.len()].copy_from_slice(part);
+            first += part.len();
+        }
+    }
+}
+
 /// Line stepped from outside. Made by the class methods.
 #[pyclass]
-pub struct Session(AnySession);
+pub struct Session(pub(crate) AnySession);
 
 #[derive(FromPyObject)]
 struct StartData {
@@ -145,7 +186,7 @@ impl Session {
         out: PyReadwriteArray1<'_, f64>,
     ) -> PyResult<()> {
         let forces = forces.as_slice()?;
-        let taken = either!(&mut self.0, session => session.step(forces, position, speed));
+        let taken = self.0.step(forces, position, speed);
         taken.map_err(|e| convert(py, &e))?;
         self.read(out)
     }
@@ -154,27 +195,13 @@ impl Session {
     /// height in m/s, each for all contacts; displacement in m and velocity in m/s of all
     /// coordinates of pantographs.
     fn read(&self, mut out: PyReadwriteArray1<'_, f64>) -> PyResult<()> {
-        let reading = either!(&self.0, session => session.outputs());
-        let r = reading;
-        let parts = [
-            &r.force,
-            &r.height,
-            &r.lateral,
-            &r.rate,
-            &r.displacement,
-            &r.velocity,
-        ];
         let out = out.as_slice_mut()?;
-        if out.len() != parts.iter().map(|part| part.len()).sum::<usize>() {
+        if out.len() != self.0.width() {
             return Err(PyValueError::new_err(
                 "out: not the length that `sizes` tells",
             ));
         }
-        let mut first = 0;
-        for part in parts {
-            out[first..first + part.len()].copy_from_slice(part);
-            first += part.len();
-        }
+        self.0.write(out);
         Ok(())
     }
 

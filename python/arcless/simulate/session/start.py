@@ -61,7 +61,7 @@ def start(scenario: Scenario, *, simulated: bool) -> Start:
     ModelError, MeshError, EquilibriumError, ContactError
         See `realtime`.
     """
-    _check(scenario, simulated=simulated)
+    check(scenario, simulated=simulated)
     found = equilibrium.find(scenario)
     model = prepare(found, scenario)
     travel = trajectory.motion(scenario)
@@ -70,7 +70,7 @@ def start(scenario: Scenario, *, simulated: bool) -> Start:
     placements = scenario.pantographs
     names = [placement.name for placement in placements]
     if simulated:
-        pantograph_data = [_pantograph(placement, speed) for placement in placements]
+        pantograph_data = [pantograph_at(placement, speed) for placement in placements]
         distances = [placement.distance for placement in placements]
         with stepping(found.mesh, placements):
             core = _core.Session.with_pantographs(
@@ -102,7 +102,8 @@ def names_of(begun: Start) -> tuple[str, ...]:
     return tuple(contacts.labels(raw, begun.pantographs) or begun.pantographs)
 
 
-def _pantograph(placement: PantographPlacement, speed: float) -> PantographData:
+def pantograph_at(placement: PantographPlacement, speed: float) -> PantographData:
+    """Return a pantograph whose steps each take a force, at a speed in m/s at the start."""
     pantograph = placement.model
     force = (placement.start_force or 0.0) + pantograph.lift_at(speed)
     mass = placement.controller.mass if placement.controller else None
@@ -141,8 +142,14 @@ def _with_given_forces(
     return core, names, owners
 
 
-def _check(scenario: Scenario, *, simulated: bool) -> None:
-    """Refuse what a loop cannot do."""
+def check(scenario: Scenario, *, simulated: bool) -> None:
+    """Refuse what a loop cannot do.
+
+    Raises
+    ------
+    ModelError
+        See `realtime`.
+    """
     if scenario.solver.kinematics == "updated":
         raise _refusal(
             "updated kinematics factorise in every step",
