@@ -131,6 +131,12 @@ class Meter:
         self._window[rows] = force_N[:, None]
         self._place[rows] = 0
 
+    def take(self, rows: Numbers, contact_force_N: Floats, steps: int) -> None:
+        """Take the contact forces of many samples of so many steps, behind those of the start."""
+        filtered = self._filter.filtered(rows, contact_force_N)[:, steps - 1 :: steps]
+        kept = min(self._window.shape[1], filtered.shape[1])
+        self._window[rows, self._window.shape[1] - kept :] = filtered[:, filtered.shape[1] - kept :]
+
     def read(self, rows: Numbers, contact_force_N: Floats, force_N: Floats) -> Scores:
         """Take the contact forces and controlled forces of a sample, a column for each step."""
         filtered = self._filter.filtered(rows, contact_force_N)
