@@ -3,6 +3,7 @@
 from arcless import (
     assess,
     comparison,
+    control,
     errors,
     explanation,
     figures,
@@ -76,6 +77,7 @@ __all__ = [
     "batch",
     "compare",
     "comparison",
+    "control",
     "errors",
     "explain",
     "explanation",

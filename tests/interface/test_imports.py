@@ -22,7 +22,7 @@ PACKAGE = Path(arcless.__file__).parent
 ORDER = (
     "errors", "units", "storage", "display", "model", "pantograph", "mesh", "equilibrium", "lcp",
     "dataset", "assess", "explanation", "figures", "report", "results", "measurements",
-    "comparison", "simulate", "study", "validate", "studio", "cli",
+    "comparison", "simulate", "control", "study", "validate", "studio", "cli",
 )  # fmt: skip
 CORE = "arcless._core"
 CORE_USERS = {"equilibrium", "lcp", "assess", "simulate"}

@@ -7,7 +7,14 @@ extra ``control``. Laws that were made there are controllers of `arcless.run`, w
 import importlib
 from typing import TYPE_CHECKING, Any
 
-from arcless.control.laws import FilteredLaw, Law, LawController, load_law, save_law
+from arcless.control.laws import (
+    TIME_CONSTANTS_S,
+    FilteredLaw,
+    Law,
+    LawController,
+    load_law,
+    save_law,
+)
 from arcless.control.packages import is_installed, need
 from arcless.control.reward import Weights
 from arcless.control.signals import DEFAULT, SIGNALS, Signal
@@ -22,6 +29,7 @@ __all__ = [
     "DEFAULT",
     "ENVIRONMENT",
     "SIGNALS",
+    "TIME_CONSTANTS_S",
     "FilteredLaw",
     "Law",
     "LawController",

@@ -112,7 +112,7 @@ class Episodes:
     def place_m(self, row: int) -> float:
         """Return the place of the first pantograph of an episode, m."""
         session = self._session(row)
-        return session.start_m + self.task.line.speed_m_s * session.steps * self._step_s
+        return session.start_m + self.task.line.speed_m_s * (self._step_s * session.steps)
 
     def time_s(self, row: int) -> float:
         """Return the time since the start of an episode's lead-in, s."""

@@ -29,8 +29,9 @@ Flags = NDArray[np.bool_]
 class PantographVectorEnv(VectorEnv[Floats, Floats, NDArray[Any]]):
     """Pantographs on one prepared line, a sample of all of them by one call of the core.
 
-    Each is, bit for bit, a `PantographEnv` with its seed. An episode that has ended is begun anew
-    by the next step, which then has the reward 0 and takes no action of it.
+    Each is, bit for bit, a `PantographEnv` with its seed. After an episode has ended the next step
+    begins another one, with the reward 0, and takes no action for it; without `autoreset` it waits
+    for a `reset`.
 
     Parameters
     ----------
@@ -38,6 +39,8 @@ class PantographVectorEnv(VectorEnv[Floats, Floats, NDArray[Any]]):
         Number of pantographs, each on a line of its own.
     workers
         Threads that step; as many as there are processors without it.
+    autoreset
+        Whether episodes follow one another by themselves.
     render_mode
         None: there is nothing to see.
     **settings
@@ -54,6 +57,7 @@ class PantographVectorEnv(VectorEnv[Floats, Floats, NDArray[Any]]):
         num_envs: int = 1,
         *,
         workers: int | None = None,
+        autoreset: bool = True,
         render_mode: str | None = None,
         task: Task | None = None,
         **settings: Any,
@@ -67,6 +71,9 @@ class PantographVectorEnv(VectorEnv[Floats, Floats, NDArray[Any]]):
             raise ModelError("unknown render_mode", got=repr(render_mode)[:80], expected="none")
         self.task = prepared(task, settings)
         self.num_envs, self.render_mode = num_envs, render_mode
+        self._autoreset = autoreset
+        if not autoreset:
+            self.metadata = {**self.metadata, "autoreset_mode": AutoresetMode.DISABLED}
         self.single_action_space = action_space(self.task)
         self.single_observation_space = observation_space(self.task)
         self.action_space = batch_space(self.single_action_space, num_envs)
@@ -143,9 +150,9 @@ class PantographVectorEnv(VectorEnv[Floats, Floats, NDArray[Any]]):
                 reasons = np.full(count, None, dtype=object)
                 reasons[stepped] = outcome.failures
                 info["failure"], info["_failure"] = reasons, flags[0].copy()
-        if len(begun):
+        if len(begun) and self._autoreset:
             self._begin(begun, self._drawn(begun))
-        self._ended = flags.any(axis=0)
+        self._ended = flags.any(axis=0) | (self._ended & (not self._autoreset))
         return self._seen.copy(), rewards, flags[0], flags[1], info
 
     def describe(self) -> dict[str, Any]:
