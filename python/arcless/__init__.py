@@ -51,7 +51,9 @@ _NAMES = {
         "statics",
     ),
 }
-_PACKAGES = (*_NAMES, "assess", "control", "figures", "lcp", "measurements", "report", "study", "validate")
+_PACKAGES = (
+    *_NAMES, "assess", "control", "figures", "lcp", "measurements", "report", "study", "validate"
+)  # fmt: skip
 _HOME = {name: module for module, names in _NAMES.items() for name in names}
 
 __all__ = sorted([*_HOME, *_PACKAGES, "__version__"])  # noqa: PLE0605 - a list, but not literal

@@ -28,8 +28,8 @@ pub fn filtered<'py>(
     Ok(values.to_pyarray(py))
 }
 
-/// Filter pieces of several signals (m × k) in place, each from its state (m × n × 2), which is left
-/// as the next piece needs it.
+/// Filter pieces of several signals (m × k) in place, each from its state (m × n × 2), which is
+/// left as the next piece needs it.
 #[pyfunction]
 pub fn filter_on(
     sections: PyReadonlyArray2<'_, f64>,
@@ -51,7 +51,10 @@ pub fn filter_on(
     let sections: Vec<Section> = all.map(|r| [r[0], r[1], r[2], r[3], r[4]]).collect();
     let states = states.as_slice_mut()?.as_chunks_mut::<2>().0;
     let signals = signals.as_slice_mut()?;
-    for (state, signal) in states.chunks_exact_mut(rows).zip(signals.chunks_exact_mut(length)) {
+    for (state, signal) in states
+        .chunks_exact_mut(rows)
+        .zip(signals.chunks_exact_mut(length))
+    {
         cascade(&sections, state, signal);
     }
     Ok(())

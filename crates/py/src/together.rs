@@ -46,7 +46,7 @@ type Advanced = (usize, Option<PyErr>);
 /// Take steps with many sessions: `forces` (sessions × steps × inputs, N) act during them,
 /// `positions` (sessions × steps, m) are at their ends, `speeds` (m/s) stay; `out` (sessions ×
 /// steps × outputs) takes what each leaves, see `Session.read`. A session whose step fails stops
-/// before it, the others go on.
+/// before it, the others take all.
 ///
 /// Returns steps taken and error of each session.
 #[pyfunction]
@@ -71,7 +71,9 @@ pub fn advance(
     }
     let fits = |s: &PyRefMut<'_, Session>| s.0.width() == width && s.0.inputs() == inputs;
     if !sessions.iter().all(fits) {
-        return Err(PyValueError::new_err("sessions with other numbers of inputs or outputs"));
+        return Err(PyValueError::new_err(
+            "sessions with other numbers of inputs or outputs",
+        ));
     }
     let (forces, positions) = (forces.as_slice()?, positions.as_slice()?);
     let (speeds, out) = (speeds.as_slice()?, out.as_slice_mut()?);
@@ -92,9 +94,12 @@ pub fn advance(
     });
     let mut members: Vec<Member<'_>> = members.collect();
     py.detach(|| advance_all(&mut members, workers));
-    let found = members
-        .iter()
-        .map(|member| (member.taken, member.failure.as_ref().map(|e| convert(py, e))));
+    let found = members.iter().map(|member| {
+        (
+            member.taken,
+            member.failure.as_ref().map(|e| convert(py, e)),
+        )
+    });
     Ok(found.collect())
 }
 

@@ -1,7 +1,7 @@
 """Environment of Gymnasium: one pantograph on one line, its controlled force as the action."""
 
 from collections.abc import Mapping
-from typing import Any, ClassVar
+from typing import Any, cast
 
 import gymnasium
 import numpy as np
@@ -16,23 +16,24 @@ Floats = NDArray[np.float64]
 ALL = np.array([0], dtype=np.intp)
 
 
-def action_space(of: Task) -> spaces.Box:
+def action_space(of: Task) -> spaces.Space[Floats]:
     """Return the forces that may be asked for, in the unit of the task."""
     low, high = of.controller.minimum_force, of.controller.maximum_force
     assert low is not None
     assert high is not None
-    return spaces.Box(low / of.action_unit_N, high / of.action_unit_N, (1,), np.float64)
+    unit = of.action_unit_N
+    return cast("spaces.Space[Floats]", spaces.Box(low / unit, high / unit, (1,), np.float64))
 
 
-def observation_space(of: Task) -> spaces.Box:
+def observation_space(of: Task) -> spaces.Space[Floats]:
     """Return the ranges of the signals that are seen, in their units."""
     low = np.array([signal.low for signal in of.signals])
     high = np.array([signal.high for signal in of.signals])
-    return spaces.Box(low, high, dtype=np.float64)
+    return cast("spaces.Space[Floats]", spaces.Box(low, high, dtype=np.float64))
 
 
-def forces(of: Task, action: Any, count: int) -> Floats:
-    """Return an action as the forces of so many episodes, N.
+def forces(of: Task, action: Any, shape: tuple[int, ...]) -> Floats:
+    """Return an action of a shape as the forces of its episodes, N.
 
     Raises
     ------
@@ -43,13 +44,12 @@ def forces(of: Task, action: Any, count: int) -> Floats:
         given = np.asarray(action, dtype=np.float64)
     except (TypeError, ValueError):
         given = np.full(0, np.nan)
-    wanted = (1,) if count == 1 else (count, 1)
-    if given.shape not in (wanted, (count, 1)):
+    if given.shape != shape:
         raise ControlError(
             "an action of the wrong shape",
             where="action",
-            got=repr(action)[:80] if given.size == 0 else f"shape {given.shape}",
-            expected=f"forces of the shape {wanted}, in units of {of.action_unit_N:g} N",
+            got=f"{' '.join(repr(action).split())[:60]}, of the shape {given.shape}",
+            expected=f"forces of the shape {shape}, in units of {of.action_unit_N:g} N",
         )
     if not np.isfinite(given).all():
         raise ControlError(
@@ -58,7 +58,7 @@ def forces(of: Task, action: Any, count: int) -> Floats:
             got=str(given.ravel().tolist())[:80],
             expected=f"forces in units of {of.action_unit_N:g} N",
         )
-    return of.action_unit_N * given.reshape(count)
+    return of.action_unit_N * given.reshape(-1)
 
 
 def checked_options(options: Mapping[str, Any] | None) -> Any:
@@ -101,7 +101,7 @@ class PantographEnv(gymnasium.Env[Floats, Floats]):
     """
 
     # Frames of a second at the sample time of `ACTUATOR`.
-    metadata: ClassVar[dict[str, Any]] = {"render_modes": ["ansi"], "render_fps": 200}
+    metadata: dict[str, Any] = {"render_modes": ["ansi"], "render_fps": 200}  # noqa: RUF012
 
     def __init__(
         self, *, render_mode: str | None = None, task: Task | None = None, **settings: Any
@@ -164,7 +164,7 @@ class PantographEnv(gymnasium.Env[Floats, Floats]):
         """
         if self._ended:
             raise ControlError("the episode has ended", expected="a call of `reset` before `step`")
-        outcome = self._episodes.step(ALL, forces(self.task, action, 1))
+        outcome = self._episodes.step(ALL, forces(self.task, action, (1,)))
         info = {name: values[0] for name, values in told(outcome).items()}
         info["position_m"] = self._episodes.place_m(0)
         info["time_s"] = self._episodes.time_s(0)
@@ -180,7 +180,7 @@ class PantographEnv(gymnasium.Env[Floats, Floats]):
         )
         return outcome.observation[0], float(outcome.reward[0]), terminated, truncated, info
 
-    def render(self) -> str | None:  # type: ignore[override]
+    def render(self) -> str | None:
         """Return place, force and contact force as a line of text; None without a render mode."""
         return self._last if self.render_mode == "ansi" else None
 
@@ -215,7 +215,7 @@ def prepared(given: Task | None, settings: Mapping[str, Any]) -> Task:
 
 
 def told(outcome: Outcome) -> dict[str, Floats]:
-    """Return what is told of a sample besides the observation: parts of the reward and the force."""
+    """Return what is told of a sample: parts of the reward, and the force."""
     scores = outcome.scores
     return {
         "std_force_N": scores.std_force_N,

@@ -153,9 +153,7 @@ class Episodes:
             moved = self._advance(own, np.zeros((len(own), length * steps)))
             failed = next((error for error in moved.failures if error), None)
             if failed is not None:
-                raise ControlError(
-                    "an episode failed before the controller began", got=str(failed)
-                )
+                raise ControlError("an episode failed before the controller began", got=str(failed))
             pressed = moved.contact_force_N[:, :, self.task.pantograph]
             self._meter.take(own, pressed, steps)
             if length > 1:
@@ -177,7 +175,7 @@ class Episodes:
         failures = [None if error is None else str(error) for error in moved.failures]
         good = np.array([failure is None for failure in failures])
         pressed = moved.contact_force_N[:, :, task.pantograph]
-        # What a session leaves behind a failure is no number to filter.
+        # Behind a failure a session leaves no number to filter.
         pressed = np.where(good[:, None], pressed, self._start_force[rows][:, None])
         scores = self._meter.read(rows, pressed, acting)
         seen = self._observe(rows, moved, good)

@@ -1,14 +1,15 @@
 """Laws of control: from what is seen to a force, the same in an environment and in a run.
 
-`FilteredLaw` is the small law that `examples/control_baselines.py` learns. With y_s the signals, x_s
-what is new in them against their slow mean, and z_sj low-passes of that with the time constants τ_j,
+`FilteredLaw` is the small law that `examples/control_baselines.py` learns. With y_s the signals,
+x_s what is new in them against their slow mean, and z_sj low-passes of that with the time
+constants τ_j,
 
     x_s = (y_s − ȳ_s)/Y_s,   ȳ_s ← ȳ_s + (1 − e^(−T/τ_w)) (y_s − ȳ_s)
     z_sj ← z_sj + (1 − e^(−T/τ_j)) (x_s − z_sj)
     u = U Σ_sj g_sj z_sj
 
-Y_s is the scale of the signal, U 50 N, T the time between samples. The slow mean is taken out so that
-the law has none itself: it cannot press more or less, which a static force would do as well.
+Y_s is the scale of the signal, U 50 N, T the time between samples. The slow mean is taken out so
+that the law has none itself: it cannot press more or less, which a static force would do as well.
 """
 
 import json

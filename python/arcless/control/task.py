@@ -247,10 +247,8 @@ def _whole(**numbers: Any) -> dict[str, int]:
     return numbers
 
 
-def _with_actuator(
-    scenario: Scenario, number: int, given: Mapping[str, Any] | None
-) -> Scenario:
-    """Return the scenario with an actuator as its controller; its fields are checked as a file's."""
+def _with_actuator(scenario: Scenario, number: int, given: Mapping[str, Any] | None) -> Scenario:
+    """Return the scenario with an actuator as its controller, checked as that of a file."""
     field, placed = f"pantographs.{number}.controller", scenario.pantographs[number].controller
     for name in ("pid", "function"):
         if given is not None and name in given:

@@ -1,7 +1,7 @@
 """Many environments of Gymnasium in one: episodes on one line, stepped together by the core."""
 
 from collections.abc import Sequence
-from typing import Any, ClassVar
+from typing import Any
 
 import numpy as np
 from gymnasium.utils import seeding
@@ -47,7 +47,7 @@ class PantographVectorEnv(VectorEnv[Floats, Floats, NDArray[Any]]):
         See `PantographEnv`.
     """
 
-    metadata: ClassVar[dict[str, Any]] = {
+    metadata: dict[str, Any] = {  # noqa: RUF012 - Gymnasium's own
         "render_modes": [],
         "autoreset_mode": AutoresetMode.NEXT_STEP,
     }
@@ -107,8 +107,10 @@ class PantographVectorEnv(VectorEnv[Floats, Floats, NDArray[Any]]):
         """
         count = self.num_envs
         seeds = [seed + i for i in range(count)] if isinstance(seed, int) else seed
-        for one in (seeds, starts := checked_options(options)):
-            if one is not None and np.shape(one) != (count,):
+        starts: Any = checked_options(options)
+        for one in (seeds, starts):
+            is_list = isinstance(one, Sequence | np.ndarray)
+            if one is not None and not (is_list and len(one) == count):
                 raise ModelError(
                     "seed and start_m of a reset",
                     got=repr(one)[:80],
@@ -136,7 +138,7 @@ class PantographVectorEnv(VectorEnv[Floats, Floats, NDArray[Any]]):
         if self._ended is None:
             raise ControlError("no episode has begun", expected="a call of `reset` before `step`")
         count = self.num_envs
-        wanted = forces(self.task, actions, count)
+        wanted = forces(self.task, actions, (count, 1))
         stepped, begun = np.flatnonzero(~self._ended), np.flatnonzero(self._ended)
         rewards, flags = np.zeros(count), np.zeros((2, count), dtype=np.bool_)
         info: dict[str, Any] = {}

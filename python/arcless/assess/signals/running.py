@@ -1,4 +1,4 @@
-"""The low-pass of contact-force measurement as a real instrument has it: forwards, sample by sample.
+"""The low-pass of contact-force measurement as an instrument has it: forwards, sample by sample.
 
 One pass of the Butterworth filter of `filter`, order 6, halves the power of a sine at the cut-off
 and delays low frequencies by 0.62/f_c (the sum of 2 sin θ over its pairs of poles, divided by
