@@ -136,6 +136,11 @@ class LawController:
     sensor, supports_m
         Force sensor below the strips, and positions of the supports in m, for the signals that need
         them.
+
+    Attributes
+    ----------
+    law
+        The law; another one that takes the same may be put in its place.
     """
 
     def __init__(
@@ -147,7 +152,8 @@ class LawController:
         sensor: Sensor | None = None,
         supports_m: Sequence[float] = (),
     ) -> None:
-        self._law, self._signals = law, [SIGNALS[name] for name in observe]
+        self.law = law
+        self._signals = [SIGNALS[name] for name in observe]
         self._reader = Reader(controller.sample_time, sensor)
         self._spans = Spans(supports_m or [0.0, 1.0])
         self._actuator = Actuators(controller, controller.sample_time, 1)
@@ -157,7 +163,7 @@ class LawController:
     def __call__(self, sample: ControlInput) -> float:
         """Return the force in N for a sample."""
         if sample.sample_number == 0:
-            self._law.begin()
+            self.law.begin()
             self._actuator.begin(ROW)
             self._before, self._start_force = None, np.array([sample.contact_force_N])
         before = self._before or sample
@@ -173,7 +179,7 @@ class LawController:
             span_position=self._spans.within(np.array([sample.position_m])),
         )
         self._before = sample
-        wanted = self._law(observation(self._signals, seen, self._reader))
+        wanted = self.law(observation(self._signals, seen, self._reader))
         self._actuator.ask(ROW, wanted)
         return float(self._actuator.asked_N[0])
 
