@@ -32,11 +32,14 @@ CASES = {
     "germany-re-330-300": ((3, 9), (10, 15)),
     "shinkansen-compound-240": ((3, 9), (10, 15)),
 }
-OBSERVE = control.DEFAULT
+# Not the force that was asked for: fed back, it turns the law into an integrator, which can press
+# more or less after all.
+OBSERVE = tuple(name for name in control.DEFAULT if name != "asked_force_N")
 # For the PID of a scenario, which sees the contact force; the learnt law does not.
 PID_SEES = "contact_force_N"
 PID = {"proportional": 1.0, "derivative": 0.05, "filter": 0.02}  # docs/guide/control.md
 STARTS = 2  # of each candidate of a generation
+GENERATIONS = 5, 40  # of the search for the PID, and for the law
 SEED = 1
 # Standard deviation of the noise of a sample, in the units of the signals, of good sensors.
 NOISE = {
@@ -45,6 +48,7 @@ NOISE = {
     "frame_displacement_m": 1e-4,
     "frame_velocity_m_s": 0.03,
 }
+MEAN_WITHIN, MOST_RUNS = 0.5, 12  # N
 SUPPORT_ERROR = 0.01  # standard deviation of the height of a support as built, m
 Floats = np.ndarray
 
@@ -152,8 +156,8 @@ def learn(case: str, generations: tuple[int, int], seed: int = SEED) -> tuple[An
 def scenario_of(case: str, **changes: Any) -> arcless.Scenario:
     """Return a case assessed on spans that its laws were not made on.
 
-    Its static force is the one that gives the mean force without control: a law that pressed more
-    or less is seen in its mean.
+    Its static force is the one that gives the mean force without control; from there that of each
+    law is found, so that all press with the same mean.
     """
     begin, end = scored(case, CASES[case][1])
     section = {"analysis.spans": None, "analysis.from": begin, "analysis.to": end}
@@ -164,6 +168,23 @@ def scenario_of(case: str, **changes: Any) -> arcless.Scenario:
     found = forces[scenario.pantographs[0].name]
     force = {"pantographs.0.mean_force": None, "pantographs.0.static_force": found}
     return scenario.with_(**force)
+
+
+def at_mean(
+    scenario: arcless.Scenario, target: float, controllers: dict[str, Any] | None
+) -> arcless.Result:
+    """Run a scenario with the static force that gives a mean force in N, within half a newton.
+
+    A search by `mean_force` asks for 0.02 N, which a law that chatters at a limit does not repeat.
+    """
+    for _ in range(MOST_RUNS):
+        result = arcless.run(scenario, controllers=controllers)
+        off = target - result.assessment.pantographs[0].mean_force_N
+        if abs(off) <= MEAN_WITHIN:
+            return result
+        force = scenario.pantographs[0].static_force or 0.0
+        scenario = scenario.with_(**{"pantographs.0.static_force": force + off})
+    raise SystemExit(f"{scenario.name}: the mean force of {target:g} N was not reached")
 
 
 class Noisy:
@@ -200,7 +221,9 @@ def assessed(
         tuned = law == "PID, tuned"
         pid = json.loads(file.read_text(encoding="utf-8"))["about"]["pid"] if tuned else PID
         scenario = scenario.with_(**{field: {**control.ACTUATOR, "pid": {"target": target, **pid}}})
-    result = arcless.run(scenario, controllers=controllers, certainty=certainty)
+    result = at_mean(scenario, target, controllers)
+    if certainty is not None:
+        result = arcless.run(result.scenario, controllers=controllers, certainty=certainty)
     force, effort = result.assessment.pantographs[0], 0.0
     if law != "none":
         place, (begin, end) = result.dataset["position"].values[:, 0], scenario.analysis_range()
@@ -262,7 +285,7 @@ def main(arguments: Sequence[str] = ()) -> dict[tuple[str, str], Any]:
     """Learn if that is asked for, then compare."""
     parser = argparse.ArgumentParser(description="Laws for a controlled pantograph.")
     parser.add_argument("--learn", action="store_true", help="make the laws first")
-    parser.add_argument("--generations", nargs=2, type=int, default=(20, 100), metavar="N",
+    parser.add_argument("--generations", nargs=2, type=int, default=GENERATIONS, metavar="N",
                         help="of the search for PID and law")  # fmt: skip
     parser.add_argument("--seed", type=int, default=SEED)
     parser.add_argument("--others", action="store_true", help="run them where they were not made")

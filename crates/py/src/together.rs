@@ -69,6 +69,9 @@ pub fn advance(
     if shapes.iter().any(|shape| *shape != (count, steps)) {
         return Err(PyValueError::new_err("positions, out: sessions × steps"));
     }
+    if sessions.is_empty() {
+        return Ok(Vec::new());
+    }
     let fits = |s: &PyRefMut<'_, Session>| s.0.width() == width && s.0.inputs() == inputs;
     if !sessions.iter().all(fits) {
         return Err(PyValueError::new_err(

@@ -17,8 +17,9 @@ from arcless.control.laws import (
 )
 from arcless.control.packages import is_installed, need
 from arcless.control.reward import Weights
+from arcless.control.settings import ACTUATOR
 from arcless.control.signals import DEFAULT, SIGNALS, Signal
-from arcless.control.task import ACTUATOR, Task, task
+from arcless.control.task import Task, task
 
 if TYPE_CHECKING:
     from arcless.control.environment import PantographEnv

@@ -6,24 +6,14 @@ from math import ceil
 from pathlib import Path
 from typing import Any
 
-from arcless.control import signals
+from arcless.control import settings, signals
 from arcless.control.places import Spans, starts
 from arcless.control.reward import Weights
 from arcless.control.signals import Reader, Signal
-from arcless.errors import ModelError
 from arcless.model import Scenario, load
 from arcless.model.pantograph.controller import Controller
 from arcless.simulate.session.shared_line import SharedLine
-from arcless.units import show
 
-# A drive that asks two hundred times a second and acts two samples later, within 100 N.
-ACTUATOR: Mapping[str, str | float] = {
-    "sample_time": "5 ms",
-    "delay": "10 ms",
-    "minimum_force": "-100 N",
-    "maximum_force": "100 N",
-    "rate_limit": "5 kN/s",
-}
 SCENARIO = "en50318-ac-simple-320-planar"
 
 
@@ -179,30 +169,22 @@ def task(
         The line cannot be prepared, or its mean force is not reached.
     """
     loaded = scenario if isinstance(scenario, Scenario) else load(scenario)
-    number = _number(loaded, pantograph)
-    names = _whole(spans=spans, lead_in_spans=lead_in_spans, window_spans=window_spans)
-    if window_spans > lead_in_spans:
-        raise ModelError(
-            "the window is longer than the lead-in",
-            where="window_spans",
-            got=f"{window_spans}",
-            expected=f"at most lead_in_spans, {lead_in_spans}: the window must be full",
-        )
-    controlled = _with_actuator(loaded, number, actuator)
+    number = settings.number_of(loaded, pantograph)
+    settings.check_spans(spans=spans, lead_in_spans=lead_in_spans, window_spans=window_spans)
+    controlled = settings.with_actuator(loaded, number, actuator)
     placement = controlled.pantographs[number]
     assert placement.controller is not None
     seen = signals.chosen(observe, placement.model)
-    weighed = Weights.of(weights)
-    if controlled.speed is None:
-        raise _changing_speed()
+    weighed, unit = Weights.of(weights), settings.action_unit_N(placement.controller, action_in)
+    target = settings.target_of(controlled, number, target_force_N)
+    speed = settings.speed_of(controlled)
     spans_of_line = Spans(controlled.line.support_positions())
-    way = controlled.speed * placement.controller.sample_time
-    lengths = names["lead_in_spans"], names["spans"]
-    between = starts(controlled, spans_of_line, lengths, _stretch(stretch_m), 2.0 * way)
+    way, stretch = speed * placement.controller.sample_time, settings.stretch_of(stretch_m)
+    between = starts(controlled, spans_of_line, (lead_in_spans, spans), stretch, 2.0 * way)
     line = SharedLine(controlled)
     sensor = None
     if any(one.name == "strip_force_N" for one in seen):
-        sensor = signals.sensor_of(placement.model, controlled.speed)
+        sensor = signals.sensor_of(placement.model, speed)
     return Task(
         scenario=line.scenario,
         line=line,
@@ -210,117 +192,12 @@ def task(
         controller=placement.controller,
         signals=seen,
         reader=Reader(placement.controller.sample_time, sensor),
-        action_unit_N=_action_unit(placement.controller, action_in),
+        action_unit_N=unit,
         weights=weighed,
-        target_force_N=_target(controlled, line.scenario, number, target_force_N),
+        target_force_N=target,
         spans=spans,
         lead_in_spans=lead_in_spans,
         window_spans=window_spans,
         spans_of_line=spans_of_line,
         begin_between=between,
-    )
-
-
-def _number(scenario: Scenario, name: str | None) -> int:
-    names = [placement.name for placement in scenario.pantographs]
-    if name is None:
-        return 0
-    if name not in names:
-        raise ModelError(
-            "unknown pantograph",
-            where="pantograph",
-            got=show(str(name)),
-            expected=f"one of {', '.join(names)}",
-        )
-    return names.index(name)
-
-
-def _whole(**numbers: Any) -> dict[str, int]:
-    for name, value in numbers.items():
-        if not isinstance(value, int) or isinstance(value, bool) or value < 1:
-            raise ModelError(
-                "not a number of spans",
-                where=name,
-                got=repr(value)[:80],
-                expected="a whole number of at least 1",
-            )
-    return numbers
-
-
-def _with_actuator(scenario: Scenario, number: int, given: Mapping[str, Any] | None) -> Scenario:
-    """Return the scenario with an actuator as its controller, checked as that of a file."""
-    field, placed = f"pantographs.{number}.controller", scenario.pantographs[number].controller
-    for name in ("pid", "function"):
-        if given is not None and name in given:
-            raise ModelError(
-                "a law in the actuator",
-                where=f"actuator.{name}",
-                expected="sample_time, delay, mass and limits: the agent is the law",
-            )
-    if given is None and placed is not None:
-        without = {f"{field}.pid": None, f"{field}.function": None}
-        controlled = scenario.with_(**without)
-    else:
-        controlled = scenario.with_(**{field: dict(ACTUATOR if given is None else given)})
-    controller = controlled.pantographs[number].controller
-    assert controller is not None
-    low, high = controller.minimum_force, controller.maximum_force
-    if low is None or high is None or low >= high:
-        raise ModelError(
-            "an actuator without limits",
-            where="actuator",
-            got=f"minimum_force {low}, maximum_force {high}",
-            expected="both, minimum_force below maximum_force: they are the bounds of the action",
-        )
-    return controlled
-
-
-def _action_unit(controller: Controller, given: Any) -> float:
-    if given not in ("limit", "N"):
-        raise ModelError(
-            "unit of the action", where="action_in", got=repr(given)[:80], expected="limit or N"
-        )
-    limits = controller.minimum_force, controller.maximum_force
-    return 1.0 if given == "N" else max(abs(limit or 0.0) for limit in limits)
-
-
-def _stretch(given: Any) -> tuple[float, float] | None:
-    if given is None:
-        return None
-    try:
-        begin, end = (float(place) for place in given)
-    except (TypeError, ValueError):
-        begin, end = 1.0, 0.0
-    if not begin < end:
-        raise ModelError(
-            "a stretch of the line",
-            where="stretch_m",
-            got=repr(given)[:80],
-            expected="two places in m, from before to",
-        )
-    return begin, end
-
-
-def _target(asked: Scenario, found: Scenario, number: int, given: Any) -> float:
-    if given is not None:
-        if not isinstance(given, int | float) or not 0 < given < float("inf"):
-            raise ModelError(
-                "a mean contact force",
-                where="target_force_N",
-                got=repr(given)[:80],
-                expected="a number above 0, in N",
-            )
-        return float(given)
-    placement = asked.pantographs[number]
-    if placement.mean_force is not None:
-        return placement.mean_force
-    force = found.pantographs[number].start_force or 0.0
-    return force + placement.model.lift_at(found.speed or 0.0)
-
-
-def _changing_speed() -> ModelError:
-    return ModelError(
-        "a speed that changes",
-        where="speed_profile",
-        expected="`speed`: episodes begin anywhere, at one speed",
     )

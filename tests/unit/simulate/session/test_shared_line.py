@@ -127,6 +127,13 @@ WRONG: list[dict[str, Any]] = [
 ]
 
 
+def test_no_session_takes_no_step(line: SharedLine) -> None:
+    for inputs, width in ((1, 8), (0, 0)):
+        none = {"forces": np.zeros((0, 5, inputs)), "out": np.zeros((0, 5, width))}
+        more = {"sessions": [], "positions": np.zeros((0, 5)), "speeds": np.zeros(0)}
+        assert _core.advance(**call(line, **none, **more)) == []
+
+
 @pytest.mark.parametrize("changes", WRONG, ids=str)
 def test_the_core_refuses_arrays_that_do_not_fit(line: SharedLine, changes: dict[str, Any]) -> None:
     with pytest.raises((ValueError, TypeError)):
