@@ -9,7 +9,8 @@ constants τ_j,
     u = U Σ_sj g_sj z_sj
 
 Y_s is the scale of the signal, U 50 N, T the time between samples. The slow mean is taken out so
-that the law has none itself: it cannot press more or less, which a static force would do as well.
+that the law has none itself: it cannot press more or less for long, which a static force would do
+as well. A law that sees `asked_force_N` can: its own force fed back makes the slow mean slower.
 """
 
 import json
