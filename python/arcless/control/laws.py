@@ -26,7 +26,7 @@ from arcless.control.actuator import Actuators
 from arcless.control.places import Spans
 from arcless.control.signals import SIGNALS, Reader, Sample, Sensor, observation
 from arcless.control.task import Task
-from arcless.errors import ModelError, ResultFormatError
+from arcless.errors import ControlError, ModelError, ResultFormatError
 from arcless.model.pantograph.controller import Controller
 from arcless.simulate import ControlInput
 from arcless.storage.whole_files import write_bytes
@@ -39,6 +39,8 @@ FORCE_N = 50.0
 # of half a span, and some spans.
 TIME_CONSTANTS_S = (0.01, 0.05, 0.2)
 MEAN_OVER_S = 2.0
+# Times are numbers of steps times their length: what is left of a difference is rounding.
+ROUNDING_S = 1e-9
 ROW = np.array([0], dtype=np.intp)
 
 
@@ -82,6 +84,15 @@ class FilteredLaw:
         time_constants_s: Sequence[float] = TIME_CONSTANTS_S,
         mean_over_s: float = MEAN_OVER_S,
     ) -> None:
+        for name in observe:
+            if name not in SIGNALS:
+                known = ", ".join(SIGNALS)
+                raise ModelError(
+                    "unknown signal",
+                    where="observe",
+                    got=repr(name)[:80],
+                    expected=f"one of {known}",
+                )
         self.gains = np.asarray(gains, dtype=np.float64)
         shape = len(observe), len(time_constants_s)
         if self.gains.shape[-2:] != shape or not np.isfinite(self.gains).all():
@@ -138,10 +149,15 @@ class LawController:
         Force sensor below the strips, and positions of the supports in m, for the signals that need
         them.
 
+    coordinates
+        Number of coordinates of the pantograph that the law was made for.
+
     Attributes
     ----------
     law
         The law; another one that takes the same may be put in its place.
+    actuator
+        The actuator as fields of `controller` in a scenario.
     """
 
     def __init__(
@@ -150,10 +166,14 @@ class LawController:
         observe: Sequence[str],
         controller: Controller,
         *,
+        coordinates: int,
         sensor: Sensor | None = None,
         supports_m: Sequence[float] = (),
     ) -> None:
         self.law = law
+        self.actuator: dict[str, Any] = controller.model_dump(exclude_none=True)
+        self.actuator = {k: v for k, v in self.actuator.items() if k not in ("pid", "function")}
+        self._coordinates = coordinates
         self._signals = [SIGNALS[name] for name in observe]
         self._reader = Reader(controller.sample_time, sensor)
         self._spans = Spans(supports_m or [0.0, 1.0])
@@ -162,12 +182,20 @@ class LawController:
         self._start_force = np.zeros(1)
 
     def __call__(self, sample: ControlInput) -> float:
-        """Return the force in N for a sample."""
+        """Return the force in N for a sample.
+
+        Raises
+        ------
+        ControlError
+            The pantograph has other coordinates, or samples come more or less often, than in the
+            environment of the law.
+        """
         if sample.sample_number == 0:
             self.law.begin()
             self._actuator.begin(ROW)
             self._before, self._start_force = None, np.array([sample.contact_force_N])
         before = self._before or sample
+        self._check(sample, before)
         seen = Sample(
             contact_force_N=np.array([sample.contact_force_N]),
             displacement_m=np.array([sample.displacements_m]),
@@ -184,6 +212,22 @@ class LawController:
         self._actuator.ask(ROW, wanted)
         return float(self._actuator.asked_N[0])
 
+    def _check(self, sample: ControlInput, before: ControlInput) -> None:
+        if len(sample.displacements_m) != self._coordinates:
+            raise ControlError(
+                "a law of another pantograph",
+                got=f"{len(sample.displacements_m)} coordinates",
+                expected=f"{self._coordinates}, as where it was made",
+            )
+        apart, wanted = sample.time_s - before.time_s, self._reader.sample_time_s
+        if sample is not before and abs(apart - wanted) > ROUNDING_S:
+            raise ControlError(
+                "a law that is asked at other intervals",
+                got=f"{1e3 * apart:.6g} ms",
+                expected=f"{1e3 * wanted:.6g} ms, as where it was made",
+                hint="give the pantograph the `controller` that `actuator` of this law holds",
+            )
+
     @classmethod
     def of(cls, law: Law, task: Task) -> "LawController":
         """Return the controller for runs of the scenario of a task."""
@@ -191,6 +235,7 @@ class LawController:
             law,
             [signal.name for signal in task.signals],
             task.controller,
+            coordinates=task.scenario.pantographs[task.pantograph].model.size,
             sensor=task.reader.sensor,
             supports_m=task.scenario.line.support_positions(),
         )
@@ -220,6 +265,7 @@ def save_law(
         "format": FORMAT,
         "law": law.data(),
         "actuator": task.controller.model_dump(exclude={"pid", "function"}),
+        "coordinates": task.scenario.pantographs[task.pantograph].model.size,
         "sensor": None if sensor is None else asdict(sensor),
         "supports_m": list(task.scenario.line.support_positions()),
         "task": task.describe(),
@@ -252,7 +298,12 @@ def load_law(file: str | Path) -> LawController:
         controller = Controller(**data["actuator"])
         sensor = None if data["sensor"] is None else Sensor(**data["sensor"])
         return LawController(
-            law, law.observe, controller, sensor=sensor, supports_m=data["supports_m"]
+            law,
+            law.observe,
+            controller,
+            coordinates=int(data["coordinates"]),
+            sensor=sensor,
+            supports_m=data["supports_m"],
         )
     except (KeyError, TypeError, ValueError) as error:
         raise ResultFormatError(

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import arcless
-from arcless import ModelError, control
+from arcless import ControlError, ModelError, control
 from arcless.control.laws import FORCE_N
 from arcless.errors import ResultFormatError
 from arcless.model import Scenario
@@ -108,6 +108,24 @@ def test_a_law_is_the_controller_of_a_file(task: control.Task, tmp_path: Path) -
     )
     force = arcless.run(scenario).dataset["control_force"].values
     assert 1.0 < np.abs(force).max() <= 60.0
+
+
+def test_a_law_is_refused_where_it_does_not_belong(task: control.Task) -> None:
+    section = {"travel": {"start": 60.0, "end": 150.0}, "analysis": {"from": 110.0, "to": 140.0}}
+    scenario, controller = task.scenario.with_(**section), control.LawController.of(law(), task)
+    field = "pantographs.0.controller"
+    arcless.run(scenario.with_(**{field: controller.actuator}), controllers={"P1": controller})
+    with pytest.raises(ControlError, match=r"asked at other intervals.*2 ms.*4 ms"):
+        arcless.run(scenario.with_(**{field: None}), controllers={"P1": controller})
+    one = {"mass": "15 kg", "stiffness": "50 N/m", "damping": "90 N s/m"}
+    other = {"pantographs.0.model.masses": [one], field: controller.actuator}
+    with pytest.raises(ControlError, match=r"another pantograph.*1 coordinates.*expected 2"):
+        arcless.run(scenario.with_(**other), controllers={"P1": controller})
+
+
+def test_a_law_of_an_unknown_signal_is_refused() -> None:
+    with pytest.raises(ModelError, match="unknown signal"):
+        control.FilteredLaw(["colour"], [[1.0, 1.0, 1.0]], 0.004)
 
 
 DAMAGED: list[tuple[str, str]] = [
