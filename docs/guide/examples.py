@@ -58,7 +58,12 @@ SLOW: dict[str, dict[str, Callable[[], str]]] = {
             "control_baselines", "mean N", "σ N", "min N", "lost %", "effort N"
         ),
         "elsewhere": lambda: as_table(
-            "control_baselines", "none", "PID", "learnt", "with noise", arguments=("--others",)
+            "control_baselines",
+            "none",
+            "PID",
+            "learnt",
+            "with noise",
+            arguments=("--others", "--case", "en50318-ac-simple-320-planar"),
         ),
     },
     "realtime": {"bench": lambda: as_table("bench_in_the_loop", "mean N", "σ N", "min N", "max N")},
