@@ -1,0 +1,126 @@
+"""Fits of a receptance as rows of text, for a terminal and a page."""
+
+from collections.abc import Sequence
+from math import isfinite
+from typing import Any
+
+from arcless.display.numbers import number
+from arcless.pantograph.receptance.fit import Fit, Mode
+from arcless.pantograph.receptance.remarks import remarks
+
+ORDERS = ("masses", "damping", "parameters", "misfit, %", "largest, %", "at, Hz",
+          "likeness of neighbours", "criterion")  # fmt: skip
+MODES = ("mode", "frequency, Hz", "±, Hz", "damping ratio", "±")
+PARAMETERS = ("mass", "mass, kg", "±", "stiffness below, N/m", "±", "damping below, N s/m", "±")
+ORDERS_READ = (
+    "The misfit is the root mean square of ln(model/measured), amplitude and phase alike. Neighbours"
+    " are alike, up to 1, where the model lacks something, and not, about 0, where only noise is"
+    " left. The criterion is Schwarz's, over the least of the list: 0 is what the data support, and"
+    " below 10 is not far from it."
+)
+DAMPING_WORDS = {"joints": "in joints", "full": "full matrix"}
+_FIGURES = 4  # significant figures of masses, springs and dampers
+
+
+def order_rows(fits: Sequence[Fit]) -> list[tuple[str, ...]]:
+    """Return a row for each order and kind of damping; see `ORDERS`."""
+    least = min(fit.information for fit in fits)
+    return [
+        (
+            str(fit.chain.order), DAMPING_WORDS[fit.chain.kind], str(fit.chain.parameters),
+            significant(100.0 * fit.misfit, 3), significant(100.0 * fit.largest[0], 3),
+            f"{fit.largest[1]:g}", number(fit.alike, 2), number(fit.information - least, 0),
+        )
+        for fit in fits
+    ]  # fmt: skip
+
+
+def mode_rows(fit: Fit) -> list[tuple[str, ...]]:
+    """Return a row for each mode; see `MODES`."""
+    rows = []
+    for place, mode in enumerate(fit.modes, start=1):
+        if mode.frequency_Hz == 0.0:
+            rows.append((str(place), "0", "–", "the frame is free", "–"))
+            continue
+        sure = (plain_sure(mode.frequency_sure_Hz), plain_sure(mode.damping_sure))
+        swings = mode.damping_ratio < 1.0
+        rows.append((
+            str(place), significant(mode.frequency_Hz, 4), sure[0],
+            significant(mode.damping_ratio, 3) if swings else "does not swing",
+            sure[1] if swings else "–",
+        ))  # fmt: skip
+    return rows
+
+
+def parameter_rows(fit: Fit) -> list[tuple[str, ...]]:
+    """Return a row for each mass, from the base; see `PARAMETERS`."""
+    rows: dict[int, list[str]] = {}
+    for one in fit.parameters:
+        row = rows.setdefault(one.place, [str(one.place)])
+        row += [significant(one.value, _FIGURES), plain_sure(one.sure)]
+    return [(*row, *["–"] * (len(PARAMETERS) - len(row))) for row in rows.values()]
+
+
+def mode_words(mode: Mode) -> str:
+    """Return frequency and damping of a mode in words."""
+    if mode.frequency_Hz == 0.0:
+        return "0 Hz, the frame is free"
+    if mode.damping_ratio >= 1.0:
+        return f"{significant(mode.frequency_Hz, 4)} Hz, does not swing"
+    ratio = significant(mode.damping_ratio, 3)
+    return f"{significant(mode.frequency_Hz, 4)} Hz, damping ratio {ratio}"
+
+
+def sure_words(sure: float) -> str:
+    """Return ``± 0.05``, or nothing where the data do not tell."""
+    return f"± {plain_sure(sure)}" if isfinite(sure) else ""
+
+
+def plain_sure(sure: float) -> str:
+    """Return what stands behind ±, with two significant figures; a dash where it is not known."""
+    return significant(sure, 2) if isfinite(sure) else "–"
+
+
+def significant(value: float, figures: int) -> str:
+    """Return a number with so many significant figures, without a power of ten where it has few."""
+    text = f"{value:.{figures}g}"
+    if "e" not in text:
+        return text
+    return f"{float(text):.0f}" if 1.0 <= abs(value) < 1e9 else text
+
+
+def to_dict(fit: Fit) -> dict[str, Any]:
+    """Return a fit as plain values; what the data do not tell is None."""
+    size, place = fit.largest
+    return {
+        "order": fit.chain.order,
+        "damping": fit.chain.kind,
+        "parameters": fit.chain.parameters,
+        "misfit_percent": 100.0 * fit.misfit,
+        "largest_misfit_percent": 100.0 * size,
+        "largest_misfit_at_Hz": place,
+        "likeness_of_neighbours": fit.alike,
+        "misfit_over_errors": fit.over_noise,
+        "criterion": fit.information,
+        "modes": [
+            {
+                "frequency_Hz": mode.frequency_Hz, "damping_ratio": mode.damping_ratio,
+                "frequency_sure_Hz": _known(mode.frequency_sure_Hz),
+                "damping_sure": _known(mode.damping_sure),
+            }
+            for mode in fit.modes
+        ],
+        **{
+            f"{name}_{unit}": getattr(fit.chain.matrices, name).tolist()
+            for name, unit in (("mass", "kg"), ("damping", "N_s_per_m"), ("stiffness", "N_per_m"))
+        },
+        "sure": [
+            {"kind": one.kind, "place": one.place, "unit": one.unit, "sure": _known(one.sure)}
+            for one in fit.parameters
+        ],
+        "remarks": remarks(fit),
+    }  # fmt: skip
+
+
+def _known(value: float) -> float | None:
+    return value if isfinite(value) else None
