@@ -7,6 +7,7 @@ from pathlib import Path
 
 from arcless.figures.receptance import figures
 from arcless.pantograph.receptance import Fit, remarks, tables
+from arcless.pantograph.receptance.words import significant
 from arcless.report.template import render
 from arcless.storage.whole_files import write_bytes
 
@@ -55,7 +56,7 @@ def html(fit: Fit, fits: Sequence[Fit], name: str, text: str) -> str:
             "titles": tables.PARAMETERS, "rows": tables.parameter_rows(fit), "texts": 1,
         },
         damping=None if fit.chain.kind == "joints" else [
-            [tables.significant(float(value), 4) for value in row] for row in matrices.damping
+            [significant(float(value), 4) for value in row] for row in matrices.damping
         ],
         orders={"titles": tables.ORDERS, "rows": tables.order_rows(fits), "texts": 2},
         orders_read=tables.ORDERS_READ,
@@ -84,14 +85,14 @@ def _identity(fit: Fit) -> list[tuple[str, str]]:
 def _numbers(fit: Fit) -> list[tuple[str, str, str]]:
     size, place = fit.largest
     rows = [
-        ("misfit, root mean square", tables.significant(100.0 * fit.misfit, 3), "%"),
-        (f"largest misfit, at {place:g} Hz", tables.significant(100.0 * size, 3), "%"),
-        ("moving mass", tables.significant(float(fit.chain.mass.sum()), 4), "kg"),
-        ("mass of the head", tables.significant(float(fit.chain.mass[-1]), 4), "kg"),
+        ("misfit, root mean square", significant(100.0 * fit.misfit, 3), "%"),
+        (f"largest misfit, at {place:g} Hz", significant(100.0 * size, 3), "%"),
+        ("moving mass", significant(float(fit.chain.mass.sum()), 4), "kg"),
+        ("mass of the head", significant(float(fit.chain.mass[-1]), 4), "kg"),
     ]
     swinging = [one for one in fit.modes if one.frequency_Hz and one.damping_ratio < 1.0]
     if swinging:
-        text = ", ".join(tables.significant(one.frequency_Hz, 3) for one in swinging)
+        text = ", ".join(significant(one.frequency_Hz, 3) for one in swinging)
         rows.append(("modes that swing", text, "Hz"))
     if fit.over_noise is not None:
         rows.append(("misfit over the given errors", f"{fit.over_noise:.2f}", ""))

@@ -7,6 +7,7 @@ from rich.table import Table
 
 from arcless.cli.terminal.tables import table
 from arcless.pantograph.receptance import tables as rows
+from arcless.pantograph.receptance.words import significant
 
 if TYPE_CHECKING:
     from rich.console import RenderableType
@@ -19,8 +20,8 @@ def blocks(fit: "Fit") -> "Iterator[RenderableType]":
     size, place = fit.largest
     yield (
         f"{fit.chain.order} masses, damping {rows.DAMPING_WORDS[fit.chain.kind]}: misfit"
-        f" {rows.significant(100 * fit.misfit, 3)} % (root mean square), largest"
-        f" {rows.significant(100 * size, 3)} % at {place:g} Hz. ± covers 95 %.\n"
+        f" {significant(100 * fit.misfit, 3)} % (root mean square), largest"
+        f" {significant(100 * size, 3)} % at {place:g} Hz. ± covers 95 %.\n"
     )
     yield _filled("Modes, head free", rows.MODES, rows.mode_rows(fit))
     yield _filled("Masses from base to head", rows.PARAMETERS, rows.parameter_rows(fit))

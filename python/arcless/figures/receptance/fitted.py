@@ -1,13 +1,17 @@
 """Measured receptance and the chain that was fitted to it, over frequency."""
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
 
 from arcless.figures.description import Area, Axis, Curve, Figure, Layer, Points, Rules, Strip, Tip
 from arcless.figures.description.thinning import every
 from arcless.pantograph.receptance import Fit
+from arcless.pantograph.receptance.least_squares import logarithm
 
 Floats = NDArray[np.float64]
+Complex = NDArray[np.complexfloating[Any, Any]]
 
 # Points of a model's curve, and marks of data: what a page can show apart.
 CURVE, MARKS = 600, 1500
@@ -20,7 +24,7 @@ def amplitude(fit: Fit) -> Figure:
     """Return the amplitude of the receptance, measured and of the model."""
     shown = _shown(fit)
     measured = 1e3 * np.abs(fit.data.values[shown])
-    f, values, _ = _model(fit)
+    f, values = _model(fit)
     size = 1e3 * np.abs(values)
     low = float(min(measured.min(), size.min()))
     high = float(max(measured.max(), size.max()))
@@ -28,7 +32,7 @@ def amplitude(fit: Fit) -> Figure:
         _band(fit),
         Points(fit.data.frequency[shown], measured, colour="series_2", size=5.0, alpha=0.55,
                name="measured", tips=_tips("amplitude", "mm/N", "0.000")),
-        *_curves(fit, f, size, "amplitude", "mm/N", "0.000"),
+        *_curves(fit, f, size, _tips("amplitude", "mm/N", "0.000")),
         *_modes(fit),
     ]  # fmt: skip
     return Figure(
@@ -44,7 +48,7 @@ def amplitude(fit: Fit) -> Figure:
 def phase(fit: Fit) -> Figure:
     """Return the phase of the receptance, measured and of the model."""
     shown = _shown(fit)
-    f, values, _ = _model(fit)
+    f, values = _model(fit)
     measured = _degrees(fit.data.values[shown])
     layers: list[Layer] = [
         _band(fit),
@@ -52,7 +56,7 @@ def phase(fit: Fit) -> Figure:
               name="limits of a passive pantograph"),
         Points(fit.data.frequency[shown], measured, colour="series_2", size=5.0, alpha=0.55,
                name="measured", tips=_tips("phase", "°", "0.0")),
-        *_curves(fit, f, _degrees(values), "phase", "°", "0.0"),
+        *_curves(fit, f, _degrees(values), _tips("phase", "°", "0.0")),
         *_modes(fit),
     ]  # fmt: skip
     return Figure(
@@ -109,8 +113,8 @@ def _shown(fit: Fit) -> NDArray[np.intp]:
     return every(fit.data.frequency.size, MARKS)
 
 
-def _model(fit: Fit) -> tuple[Floats, NDArray[np.complex128], NDArray[np.bool_]]:
-    """Return frequencies, receptance of the model, and whether each lies within the data.
+def _model(fit: Fit) -> tuple[Floats, Complex]:
+    """Return frequencies in Hz, and the receptance of the model in m/N.
 
     Frequencies of modes are among them, so that no peak is cut off.
     """
@@ -118,12 +122,11 @@ def _model(fit: Fit) -> tuple[Floats, NDArray[np.complex128], NDArray[np.bool_]]
     ends = fit.data.frequency[[0, -1]]
     peaks = [one.frequency_Hz for one in fit.modes if low < one.frequency_Hz < high]
     f = np.unique(np.concatenate([np.geomspace(low, high, CURVE), ends, peaks]))
-    return f, fit.chain.receptance(f), (f >= ends[0]) & (f <= ends[1])
+    return f, fit.chain.receptance(f)
 
 
-def _degrees(values: NDArray[np.complex128]) -> Floats:
-    found = np.degrees(np.angle(values))
-    return np.where(found > 90.0, found - 360.0, found)
+def _degrees(values: Complex) -> Floats:
+    return np.degrees(logarithm(values).imag)
 
 
 def _band(fit: Fit) -> Strip:
@@ -132,16 +135,16 @@ def _band(fit: Fit) -> Strip:
                  name="range of the data")  # fmt: skip
 
 
-def _curves(fit: Fit, f: Floats, y: Floats, label: str, unit: str, form: str) -> list[Layer]:
+def _curves(fit: Fit, f: Floats, y: Floats, tips: tuple[Tip, ...]) -> list[Layer]:
     """Return the model within the data, and its pieces beyond them."""
     low, high = fit.data.frequency[[0, -1]]
     inside, beyond = (f >= low) & (f <= high), (f <= low) | (f >= high)
     gap = np.where(beyond, y, np.nan)
     return [
         Curve(f, gap, colour="series_1", dash="dashed", width=1.4,
-              name="model beyond the data", tips=_tips(label, unit, form)),
+              name="model beyond the data", tips=tips),
         Curve(f[inside], y[inside], colour="series_1", width=2.0, name="model",
-              tips=_tips(label, unit, form)),
+              tips=tips),
     ]  # fmt: skip
 
 

@@ -4,13 +4,11 @@ from arcless.pantograph.receptance.chain import Chain, Damping
 from arcless.pantograph.receptance.fit import (
     LARGEST_MISFIT,
     MOST_MASSES,
-    Fit,
-    Mode,
-    Parameter,
     check_order,
     fit,
     orders,
 )
+from arcless.pantograph.receptance.fitted import Fit, Mode, Parameter
 from arcless.pantograph.receptance.measured import (
     QUANTITIES,
     MeasuredReceptance,

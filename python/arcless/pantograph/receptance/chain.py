@@ -18,7 +18,7 @@ its own.
 
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,7 +26,7 @@ from numpy.typing import NDArray
 from arcless.pantograph.equation_of_motion import Matrices, elongation
 
 Floats = NDArray[np.float64]
-Complex = NDArray[np.complex128]
+Complex = NDArray[np.complexfloating[Any, Any]]
 Damping = Literal["joints", "full"]
 
 
@@ -145,5 +145,5 @@ def with_full_damping(chain: Chain) -> Chain:
     if chain.kind == "full":
         return chain
     rows = np.sqrt(chain.damping)[:, None] * elongations(chain.order)
-    lower = np.linalg.qr(rows, mode="r").T
-    return Chain(chain.mass, chain.stiffness, lower)
+    upper: Floats = np.linalg.qr(rows)[1]
+    return Chain(chain.mass, chain.stiffness, upper.T)

@@ -5,10 +5,10 @@ and p parameters, the covariance of the parameters is to first order
 
     V = S/(N − p) (JᵀJ)⁻¹
 
-and a quantity with the derivatives g has the variance gᵀ V g (G. A. F. Seber & C. J. Wild: Nonlinear
-Regression, Wiley 1989, chapter 2). Where JᵀJ is singular, what it leaves open is not determined. The
-noise is supposed to be independent from one frequency to the next; a misfit that is no noise makes V
-a guess.
+and a quantity with the derivatives g has the variance gᵀ V g (G. A. F. Seber & C. J. Wild:
+Nonlinear Regression, Wiley 1989, chapter 2). Directions in which JᵀJ is singular are not
+determined. The noise is supposed to be independent from one frequency to the next; a misfit that
+is no noise makes V a guess.
 """
 
 from dataclasses import dataclass
@@ -20,7 +20,7 @@ from arcless.pantograph.receptance.least_squares import Found
 
 Floats = NDArray[np.float64]
 
-# What ± covers: this share of all measurements, by Student's distribution.
+# Share of all measurements that ± covers, by Student's distribution.
 COVERAGE = 0.95
 # Singular values below this share of the largest are no information, but rounding; and the share of
 # a quantity's derivatives that may lie in such directions.

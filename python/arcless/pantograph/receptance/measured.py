@@ -13,6 +13,7 @@ that the phase of H lies in −180° to 0. Data outside by more than noise are r
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -22,9 +23,9 @@ from arcless.model.files.csv_tables import Table, read_table
 from arcless.storage.digests import short_digest
 
 Floats = NDArray[np.float64]
-Complex = NDArray[np.complex128]
+Complex = NDArray[np.complexfloating[Any, Any]]
 
-# Quantity → its unit, power of iω by which it is to be divided once it is a response to a force, and
+# Quantity → its unit, power of iω by which it is divided once it is a response to a force, and
 # whether it is a force to a motion.
 QUANTITIES: Mapping[str, tuple[str, int, bool]] = {
     "receptance": ("m/N", 0, False),
@@ -134,7 +135,7 @@ def read(path: str | Path) -> MeasuredReceptance:
 
 
 def of_arrays(
-    frequency_Hz: ArrayLike,  # noqa: N803 - the unit is part of the name
+    frequency_Hz: ArrayLike,
     values: ArrayLike,
     *,
     quantity: str = "receptance",

@@ -7,9 +7,9 @@ from numpy.typing import NDArray
 
 from arcless.model import Pantograph
 from arcless.model.load import load_text
-from arcless.pantograph.receptance.fit import Fit, Parameter
+from arcless.pantograph.receptance.fitted import Fit, Parameter
 from arcless.pantograph.receptance.remarks import remarks
-from arcless.pantograph.receptance.tables import mode_words, sure_words
+from arcless.pantograph.receptance.words import mode_words, sure_words
 from arcless.units import plain
 
 Floats = NDArray[np.float64]

@@ -4,8 +4,9 @@ from math import isinf
 
 import numpy as np
 
-from arcless.pantograph.receptance.fit import Fit
-from arcless.pantograph.receptance.measured import listed
+from arcless.pantograph.receptance.fitted import Fit
+from arcless.pantograph.receptance.least_squares import LEAST_MASS, MOST_DAMPING, MOST_STIFFNESS
+from arcless.pantograph.receptance.words import significant
 
 # Misfits below are none that a test bench would notice, whatever their pattern.
 NEGLIGIBLE = 1e-3
@@ -15,6 +16,11 @@ NO_CHANCE = 4.0
 ASSESSED_HZ = 20.0
 # ± over value from which a mass or a spring is said to be uncertain.
 UNSURE = 0.2
+# Masses up to which M, K and a full damping matrix have no more entries than a receptance has
+# coefficients, 4n − 1: 2n + n(n + 1)/2 are 7 of 7 for two masses, and 12 of 11 for three.
+UNIQUE = 2
+# Factor within which a parameter is at the bound of a search.
+NEAR = 1.05
 # Misfit over the given errors from which it is more than noise.
 MORE_THAN_NOISE = 1.5
 
@@ -49,20 +55,26 @@ def _of_band(fit: Fit) -> list[str]:
     beyond = [mode.frequency_Hz for mode in fit.modes if mode.frequency_Hz > high]
     if beyond:
         found.append(
-            f"a mode at {listed(np.array(beyond))} lies above the data, which end at {high:g} Hz:"
-            " only its flexibility below was measured"
+            f"above the data, which end at {high:g} Hz, the model has {_modes(beyond)}: only the"
+            " flexibility below was measured"
         )
     below = [one.frequency_Hz for one in fit.modes if 0.0 < one.frequency_Hz < low]
     if below:
         found.append(
-            f"a mode at {listed(np.array(below))} lies below the data, which begin at {low:g} Hz:"
-            " the spring to the base follows from its tail"
+            f"below the data, which begin at {low:g} Hz, the model has {_modes(below)}: the spring"
+            " to the base follows from what is left of it above"
         )
     return found
 
 
+def _modes(frequencies: list[float]) -> str:
+    """Return modes by their frequencies in words."""
+    words = ", ".join(significant(one, 3) for one in frequencies)
+    return f"{'a mode' if len(frequencies) == 1 else 'modes'} at {words} Hz"
+
+
 def _of_parameters(fit: Fit) -> list[str]:
-    if fit.chain.kind == "full" and fit.chain.order > 2:
+    if fit.chain.kind == "full" and fit.chain.order > UNIQUE:
         return [
             "with a full damping matrix other masses and springs have the same receptance: what was"
             " measured are the modes and the receptance"
@@ -74,7 +86,7 @@ def _of_parameters(fit: Fit) -> list[str]:
             continue  # a small damper may well be none; the spring to the base is told apart
         if isinf(one.sure) or one.sure > UNSURE * one.value:
             unsure.append(f"{one.kind} {one.place}")
-    found = []
+    found = _at_bounds(fit)
     if unsure:
         found.append(
             f"the data hardly determine {', '.join(unsure)} (counted from the base): other chains"
@@ -88,6 +100,22 @@ def _of_parameters(fit: Fit) -> list[str]:
             " measured at rest"
         )
     return found
+
+
+def _at_bounds(fit: Fit) -> list[str]:
+    """Return a remark about masses and joints that the search would have made nothing or rigid."""
+    chain = fit.chain
+    found = [f"mass {place + 1}" for place in np.flatnonzero(chain.mass < NEAR * LEAST_MASS)]
+    stiff = np.flatnonzero(chain.stiffness * NEAR > MOST_STIFFNESS)
+    found += [f"stiffness {place + 1}" for place in stiff]
+    if chain.kind == "joints":
+        found += [f"damping {i + 1}" for i in np.flatnonzero(chain.damping * NEAR > MOST_DAMPING)]
+    if not found:
+        return []
+    return [
+        f"{', '.join(found)} ended at the bounds of the search: the data have one mass less, or a"
+        " flexibility without a mass of its own"
+    ]
 
 
 def _of_phases(fit: Fit) -> list[str]:

@@ -1,19 +1,19 @@
 """Poles and residues of a measured receptance → a chain of masses to begin a fit with.
 
-Vector fitting (B. Gustavsen & A. Semlyen, IEEE Trans. Power Delivery 14 (1999) 1052): with poles a_q
-the linear problem
+Vector fitting (B. Gustavsen & A. Semlyen, IEEE Trans. Power Delivery 14 (1999) 1052): with poles
+a_q the linear problem
 
     Σ r_q/(s − a_q) − H(s) Σ d_q/(s − a_q) = H(s)
 
 is solved in real numbers, weighted by 1/|H|; the zeros of 1 + Σ d_q/(s − a_q), eigenvalues of
-A − b dᵀ, are better poles, with signs turned so that they are stable. Each pair of poles is then read
-as a mode,
+A − b dᵀ, are better poles, with signs turned so that they are stable. Each pair of poles is then
+read as a mode,
 
     φ_k²/(ω_k² + 2 ζ_k ω_k s + s²)
 
-and the modes as a chain without damping. The chain of n masses whose head has the frequencies ω_k and
-amplitudes φ_k is unique (G. M. L. Gladwell: Inverse Problems in Vibration, 2nd ed., Kluwer 2004,
-chapter 4): with α, β of the Lanczos process that begins with φ on diag(ω²), from head to base
+and the modes as a chain without damping. The chain of n masses whose head has the frequencies ω_k
+and amplitudes φ_k is unique (G. M. L. Gladwell: Inverse Problems in Vibration, 2nd ed., Kluwer
+2004, chapter 4): with α, β of the Lanczos process that begins with φ on diag(ω²), from head to base
 
     m_n = 1/Σφ²,   k_n = α_1 m_n,   m_{i−1} = k_i²/(β² m_i),   k_{i−1} = α m_{i−1} − k_i
 
@@ -21,26 +21,31 @@ Its dampers are those, not negative, that give the modes nearly the measured dam
 """
 
 from dataclasses import dataclass
+from itertools import product
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from arcless.pantograph.receptance.chain import Chain, elongations
+from arcless.pantograph.receptance.chain import Chain, Damping, elongations
 
 Floats = NDArray[np.float64]
-Complex = NDArray[np.complex128]
+Complex = NDArray[np.complexfloating[Any, Any]]
 
 # Relocations of the poles: they settle within ten, and more change nothing.
 RELOCATIONS = 20
 # Damping ratio of the first poles, as recommended by Gustavsen and Semlyen.
 FIRST_DAMPING = 0.01
-# Least share of the largest φ² that a mode is given: with none it would not be felt at the head, and
-# the chain would have no mass for it.
+# Least share of the largest φ² that a mode is given: with none it would not be felt at the head,
+# and the chain would have no mass for it.
 LEAST_SHARE = 1e-3
 # Least squared frequency of a mode over the largest: with 0 twice the chain would fall apart.
 LEAST_SQUARE = 1e-7
-# Shares of a mass that is split, and damping ratio of its two parts against one another.
-SPLIT_SHARES, SPLIT_DAMPING = (0.3, 0.7), 0.02
+# Damping ratio of a mode without damping at the start, so that its entry of L is not 0, where the
+# sum of squares does not change with it.
+LEAST_DAMPING = 1e-3
+# Shares of a mass that is split, and damping ratios of its two parts against one another.
+SPLIT_SHARES, SPLIT_DAMPING = (0.3, 0.7), (0.02, 0.3)
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,7 +57,9 @@ class Modes:
     zeta: Floats
 
 
-def chains(frequency: Floats, values: Complex, order: int) -> list[Chain]:
+def chains(
+    frequency: Floats, values: Complex, order: int, damping: Damping = "joints"
+) -> list[Chain]:
     """Return chains to begin with, by poles that were first spread evenly and in equal ratios.
 
     Parameters
@@ -61,10 +68,13 @@ def chains(frequency: Floats, values: Complex, order: int) -> list[Chain]:
         In Hz, and H in m/N.
     order
         Number of masses.
+    damping
+        ``"full"`` for the damping matrix that gives each mode its damping ratio.
     """
     low, high = float(frequency[0]), float(frequency[-1])
     spread = [np.geomspace(low, high, order + 2)[1:-1], np.linspace(low, high, order + 2)[1:-1]]
-    return [of_modes(modes(frequency, values, 2.0 * np.pi * omega)) for omega in spread]
+    found = [modes(frequency, values, 2.0 * np.pi * omega) for omega in spread]
+    return [of_modes(one, damping) for one in found]
 
 
 def modes(frequency: Floats, values: Complex, omega: Floats) -> Modes:
@@ -107,8 +117,9 @@ def _solved(terms: Complex, values: Complex, weight: Floats) -> Floats:
     right = np.concatenate([(weight * values).real, (weight * values).imag])
     length = np.linalg.norm(left, axis=0)
     length[length == 0.0] = 1.0
-    found: Floats = np.linalg.lstsq(left / length, right, rcond=None)[0]
-    return found / length
+    found = np.linalg.lstsq(left / length, right, rcond=None)[0]
+    scaled: Floats = found / length
+    return scaled
 
 
 def _relocated(s: Complex, values: Complex, poles: Complex, weight: Floats) -> Complex:
@@ -153,7 +164,7 @@ def _read(poles: Complex, residues: Complex, size: float) -> Modes:
     return Modes(w, np.sqrt(share), size * np.array(zeta) / w)
 
 
-def of_modes(found: Modes) -> Chain:
+def of_modes(found: Modes, damping: Damping = "joints") -> Chain:
     """Return the chain with the modes' frequencies and amplitudes at its head."""
     order = np.argsort(found.omega)
     omega, phi, zeta = found.omega[order], found.phi[order], found.zeta[order]
@@ -169,11 +180,16 @@ def of_modes(found: Modes) -> Chain:
             mass[place - 1] = above**2 / (beta[step] ** 2 * mass[place])
     # Shapes of the modes in heights of the masses, with φᵀMφ = 1.
     shapes = vectors[:, ::-1] / np.sqrt(mass)
-    return Chain(mass, stiffness, _dampers(shapes, omega, zeta))
+    if damping == "joints":
+        return Chain(mass, stiffness, _dampers(shapes, omega, zeta))
+    # C = Σ 2 ζ_k ω_k Mφ_k (Mφ_k)ᵀ, which leaves the modes apart from one another.
+    rows = np.sqrt(2.0 * np.maximum(zeta, LEAST_DAMPING) * omega)[:, None] * shapes * mass
+    upper: Floats = np.linalg.qr(rows)[1]
+    return Chain(mass, stiffness, upper.T)
 
 
 def _lanczos(squares: Floats, start: Floats) -> tuple[Floats, Floats, Floats]:
-    """Return α, β and vectors of the Lanczos process on a diagonal matrix, orthogonal throughout."""
+    """Return α, β and vectors of the Lanczos process on a diagonal matrix."""
     count = squares.size
     vectors = np.zeros((count, count))
     alpha, beta = np.zeros(count), np.zeros(max(count - 1, 0))
@@ -207,19 +223,16 @@ def split(chain: Chain, frequencies: Floats) -> list[Chain]:
     A stiff spring between them would be the same chain, so that from these starts no order fits
     worse than the one below.
     """
-    found = []
-    for place in range(chain.order):
-        for share in SPLIT_SHARES:
-            for omega in 2.0 * np.pi * frequencies:
-                whole = chain.mass[place]
-                parts = np.array([1.0 - share, share]) * whole
-                reduced = parts[0] * parts[1] / whole
-                stiffness, damping = reduced * omega**2, 2.0 * SPLIT_DAMPING * reduced * omega
-                found.append(
-                    Chain(
-                        np.insert(np.delete(chain.mass, place), place, parts),
-                        np.insert(chain.stiffness, place + 1, stiffness),
-                        np.insert(chain.damping, place + 1, damping),
-                    )
-                )
-    return found
+    ways = product(range(chain.order), SPLIT_SHARES, SPLIT_DAMPING, 2.0 * np.pi * frequencies)
+    return [_split_at(chain, *way) for way in ways]
+
+
+def _split_at(chain: Chain, place: int, share: float, ratio: float, omega: float) -> Chain:
+    whole = chain.mass[place]
+    parts = np.array([1.0 - share, share]) * whole
+    reduced = parts[0] * parts[1] / whole
+    return Chain(
+        np.insert(np.delete(chain.mass, place), place, parts),
+        np.insert(chain.stiffness, place + 1, reduced * omega**2),
+        np.insert(chain.damping, place + 1, 2.0 * ratio * reduced * omega),
+    )

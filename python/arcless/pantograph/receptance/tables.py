@@ -5,21 +5,23 @@ from math import isfinite
 from typing import Any
 
 from arcless.display.numbers import number
-from arcless.pantograph.receptance.fit import Fit, Mode
+from arcless.pantograph.receptance.fitted import Fit
 from arcless.pantograph.receptance.remarks import remarks
+from arcless.pantograph.receptance.words import plain_sure, significant
 
 ORDERS = ("masses", "damping", "parameters", "misfit, %", "largest, %", "at, Hz",
           "likeness of neighbours", "criterion")  # fmt: skip
 MODES = ("mode", "frequency, Hz", "±, Hz", "damping ratio", "±")
 PARAMETERS = ("mass", "mass, kg", "±", "stiffness below, N/m", "±", "damping below, N s/m", "±")
 ORDERS_READ = (
-    "The misfit is the root mean square of ln(model/measured), amplitude and phase alike. Neighbours"
-    " are alike, up to 1, where the model lacks something, and not, about 0, where only noise is"
-    " left. The criterion is Schwarz's, over the least of the list: 0 is what the data support, and"
-    " below 10 is not far from it."
+    "The misfit is the root mean square of ln(model/measured), amplitude and phase alike. Misfits"
+    " of neighbouring frequencies are alike, up to 1, where the model lacks something; where only"
+    " noise is left, the likeness is about 0. The criterion is Schwarz's, above the least of the"
+    " list: the row with 0 is what the data support."
 )
 DAMPING_WORDS = {"joints": "in joints", "full": "full matrix"}
-_FIGURES = 4  # significant figures of masses, springs and dampers
+# Significant figures of masses, springs and dampers.
+_FIGURES = 4
 
 
 def order_rows(fits: Sequence[Fit]) -> list[tuple[str, ...]]:
@@ -37,7 +39,7 @@ def order_rows(fits: Sequence[Fit]) -> list[tuple[str, ...]]:
 
 def mode_rows(fit: Fit) -> list[tuple[str, ...]]:
     """Return a row for each mode; see `MODES`."""
-    rows = []
+    rows: list[tuple[str, ...]] = []
     for place, mode in enumerate(fit.modes, start=1):
         if mode.frequency_Hz == 0.0:
             rows.append((str(place), "0", "–", "the frame is free", "–"))
@@ -59,34 +61,6 @@ def parameter_rows(fit: Fit) -> list[tuple[str, ...]]:
         row = rows.setdefault(one.place, [str(one.place)])
         row += [significant(one.value, _FIGURES), plain_sure(one.sure)]
     return [(*row, *["–"] * (len(PARAMETERS) - len(row))) for row in rows.values()]
-
-
-def mode_words(mode: Mode) -> str:
-    """Return frequency and damping of a mode in words."""
-    if mode.frequency_Hz == 0.0:
-        return "0 Hz, the frame is free"
-    if mode.damping_ratio >= 1.0:
-        return f"{significant(mode.frequency_Hz, 4)} Hz, does not swing"
-    ratio = significant(mode.damping_ratio, 3)
-    return f"{significant(mode.frequency_Hz, 4)} Hz, damping ratio {ratio}"
-
-
-def sure_words(sure: float) -> str:
-    """Return ``± 0.05``, or nothing where the data do not tell."""
-    return f"± {plain_sure(sure)}" if isfinite(sure) else ""
-
-
-def plain_sure(sure: float) -> str:
-    """Return what stands behind ±, with two significant figures; a dash where it is not known."""
-    return significant(sure, 2) if isfinite(sure) else "–"
-
-
-def significant(value: float, figures: int) -> str:
-    """Return a number with so many significant figures, without a power of ten where it has few."""
-    text = f"{value:.{figures}g}"
-    if "e" not in text:
-        return text
-    return f"{float(text):.0f}" if 1.0 <= abs(value) < 1e9 else text
 
 
 def to_dict(fit: Fit) -> dict[str, Any]:

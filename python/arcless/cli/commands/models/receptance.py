@@ -130,9 +130,7 @@ def fit(
         console.data(f"next: name it in a scenario: pantographs: [{{model: {out.name}}}]")
 
 
-def _check(
-    order: int | None, out: Path | None, report: Path | None, *, overwrite: bool
-) -> None:
+def _check(order: int | None, out: Path | None, report: Path | None, *, overwrite: bool) -> None:
     """Refuse files that could not be written, before anything is computed."""
     import os
 
@@ -142,7 +140,7 @@ def _check(
 
     if order is None and (out is not None or report is not None):
         raise ModelError("--order", got="none", expected="a number of masses to write",
-                         hint="run it without --out and --report first: it lists the orders")  # fmt: skip
+                         hint="without --out and --report it lists the orders")  # fmt: skip
     if out is not None:
         if out.suffix not in (".yaml", ".yml"):
             raise OutputError("not a name of a model file", where=str(out),
