@@ -18,7 +18,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from arcless.errors import MeasurementError, ModelError
+from arcless.errors import MeasurementError
 from arcless.model.files.csv_tables import Table, read_table
 from arcless.storage.digests import short_digest
 
@@ -51,6 +51,8 @@ FEWEST, MOST = 6, 20_000
 NOISE_RAD = np.radians(15.0)
 # Phases beyond are none that anybody counts on to, but degrees under the title of radians.
 LARGEST_RAD = 8.0 * np.pi
+# Largest amplitude over the smallest: more is a slip, as no bench measures twelve powers of ten.
+MOST_RATIO = 1e12
 # Places that a message names.
 NAMED = 5
 
@@ -233,8 +235,8 @@ def _check_values(data: MeasuredReceptance) -> None:
             expected="a standard deviation above 0 and below 100 % for each frequency",
         )  # fmt: skip
     size = np.abs(data.values)
-    if not np.all(np.isfinite(size)) or size.max() > 1e6 * 1e6 * size.min():
-        raise ModelError("amplitudes", where=data.name,
+    if not np.all(np.isfinite(size)) or size.max() > MOST_RATIO * size.min():
+        raise MeasurementError("amplitudes", where=data.name,
                          got=f"{size.min():.3g} to {size.max():.3g} m/N",
                          expected="a receptance within twelve powers of ten")  # fmt: skip
     bad = data.outside > NOISE_RAD
@@ -250,7 +252,7 @@ def _not_passive(data: MeasuredReceptance, bad: NDArray[np.bool_]) -> Measuremen
             "all phases lie in 0 to 180°: count a lag as negative, and force and motion in one"
             " direction"
         )
-    elif np.any(turned[~bad]) and bad[-1] and not np.any(bad[: bad.size // 2]):
+    elif bad[-1] and not np.any(bad[: bad.size // 2]):
         hint = (
             "phases leave it at high frequencies: a delay between the two channels turns them in"
             " proportion to frequency"

@@ -178,8 +178,10 @@ def of_modes(found: Modes, damping: Damping = "joints") -> Chain:
         above = stiffness[place]
         if place > 0:
             mass[place - 1] = above**2 / (beta[step] ** 2 * mass[place])
-    # Shapes of the modes in heights of the masses, with φᵀMφ = 1.
-    shapes = vectors[:, ::-1] / np.sqrt(mass)
+    # Shapes of the modes in heights of the masses, with φᵀMφ = 1. β > 0 stands for −k/√(m m'), so
+    # that every second vector is turned.
+    signs = (-1.0) ** np.arange(count)
+    shapes = (vectors * signs)[:, ::-1] / np.sqrt(mass)
     if damping == "joints":
         return Chain(mass, stiffness, _dampers(shapes, omega, zeta))
     # C = Σ 2 ζ_k ω_k Mφ_k (Mφ_k)ᵀ, which leaves the modes apart from one another.
