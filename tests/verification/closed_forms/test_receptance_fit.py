@@ -1,10 +1,10 @@
 """Pantographs from measured frequency responses
 
 The receptance H(iω) = eᵀ(K + iωC − ω²M)⁻¹ e of a shipped pantograph at its head, by a dense solve,
-at 0.2, 0.3, … 25 Hz, is given to the program as a measurement of an unknown pantograph, with normal
-noise of 0, 1 and 5 % of each value in its real and imaginary part. Without noise the masses, springs
-and dampers themselves must be found: no other chain has the receptance of a chain at its head. With
-noise σ at N frequencies and p parameters, to first order of the noise,
+at 0.2, 0.3, … 25 Hz, is given to the program as a measurement of an unknown pantograph, with
+normal noise of 0, 1 and 5 % of each value in its real and imaginary part. Without noise the masses,
+springs and dampers themselves must be found: no other chain has the same receptance at its head.
+With noise σ at N frequencies and p parameters, to first order of the noise,
 
     mean over frequencies and draws of |ln(H_found/H)|² = p σ²/N
 

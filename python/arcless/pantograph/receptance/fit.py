@@ -15,7 +15,7 @@ from arcless.pantograph.receptance.chain import Chain, Damping, of_damping, with
 from arcless.pantograph.receptance.confidence import confidence
 from arcless.pantograph.receptance.fitted import Fit, errors
 from arcless.pantograph.receptance.least_squares import Found, Target
-from arcless.pantograph.receptance.measured import MeasuredReceptance, listed
+from arcless.pantograph.receptance.measured import NAMED, MeasuredReceptance, listed
 from arcless.units import to_si
 
 # A pantograph is modelled by two or three masses; a head does not show more modes than this.
@@ -149,12 +149,12 @@ def _missed(made: Fit, limit: float) -> FitError:
         hint = "all phases lie within ±π degrees: are they radians? Then write phase [rad]"
     else:
         hint = (
-            "ask for one mass more, or for damping full; without an order, the command lists what"
+            "ask for one mass more, or for damping full; without an order the command lists what"
             " each gives"
         )
     return FitError(
         "the fit misses the data", where=made.data.name,
         got=f"a misfit of {100 * made.misfit:.3g} % (root mean square), largest"
-        f" {100 * size:.3g} % at {place:g} Hz, then at {listed(worst[1:])}",
+        f" {100 * size:.3g} % at {place:g} Hz, then at {listed(worst[1 : 1 + NAMED])}",
         expected=f"at most {100 * limit:g} %", hint=hint,
     )  # fmt: skip

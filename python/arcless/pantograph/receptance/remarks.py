@@ -19,6 +19,8 @@ UNSURE = 0.2
 # Masses up to which M, K and a full damping matrix have no more entries than a receptance has
 # coefficients, 4n − 1: 2n + n(n + 1)/2 are 7 of 7 for two masses, and 12 of 11 for three.
 UNIQUE = 2
+# Phases outside of −180° to 0 by less are no news.
+TOLD_DEGREES = 2.0
 # Factor within which a parameter is at the bound of a search.
 NEAR = 1.05
 # Misfit over the given errors from which it is more than noise.
@@ -119,11 +121,10 @@ def _at_bounds(fit: Fit) -> list[str]:
 
 
 def _of_phases(fit: Fit) -> list[str]:
-    outside = fit.data.outside
-    bad = outside > 0.0
-    if not np.any(bad):
+    outside = np.degrees(fit.data.outside)
+    if outside.max() < TOLD_DEGREES:
         return []
     return [
-        f"{int(bad.sum())} of {bad.size} phases lie outside of −180° to 0, by"
-        f" {np.degrees(outside.max()):.1f}° at most: taken for noise"
+        f"{np.count_nonzero(outside)} of {outside.size} phases lie outside of −180° to 0, by"
+        f" {outside.max():.1f}° at most: taken for noise"
     ]
