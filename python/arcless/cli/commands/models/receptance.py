@@ -176,12 +176,12 @@ def _write(
 
     written: list[Any] = []
     if report is not None:
-        from arcless.report import receptance_page
+        from arcless.report.receptance import page
 
         highest = min(found.chain.order + 1, receptance.MOST_MASSES)
         with console.progress(quiet=quiet) as progress:
             fits = receptance.orders(found.data, highest, progress=progress)
-        receptance_page.write(found, fits, name, text, report)
+        page.write(found, fits, name, text, report)
         written.append(report)
     if out is not None:
         write_bytes(out, text.encode())
