@@ -84,8 +84,8 @@ def test_a_text_with_another_unit_is_flagged(given: str) -> None:
 
 def test_texts_with_units_are_described_once() -> None:
     """One schema for each kind of amount: written out at each field, they were half of the file."""
-    # An area is that of `arcless stress`, responses are columns of `arcless pantograph fit`: these are
-    # no fields of a file.
+    # An area is that of `arcless stress`, responses are columns for `arcless pantograph fit`: no
+    # field of a file is one.
     of_options = {"m2", "m/N", "m/s/N", "m/s2/N"}
     kinds = {kind.name.replace(" ", "-") for unit, kind in KINDS.items() if unit not in of_options}
     texts = {name for name, one in SCHEMA["$defs"].items() if one["type"] == "string"}
