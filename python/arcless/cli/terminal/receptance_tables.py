@@ -24,7 +24,7 @@ def blocks(fit: "Fit") -> "Iterator[RenderableType]":
         f" {significant(100 * size, 3)} % at {place:g} Hz. ± covers 95 %.\n"
     )
     yield _filled("Modes, head free", rows.MODES, rows.mode_rows(fit))
-    yield _filled("Masses from base to head", rows.PARAMETERS, rows.parameter_rows(fit))
+    yield _filled("Masses from base to head", rows.parameter_titles(fit), rows.parameter_rows(fit))
 
 
 def order_blocks(fits: "Sequence[Fit]") -> "Iterator[RenderableType]":

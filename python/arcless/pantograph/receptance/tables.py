@@ -55,12 +55,17 @@ def mode_rows(fit: Fit) -> list[tuple[str, ...]]:
 
 
 def parameter_rows(fit: Fit) -> list[tuple[str, ...]]:
-    """Return a row for each mass, from the base; see `PARAMETERS`."""
+    """Return a row for each mass, from the base; see `parameter_titles`."""
     rows: dict[int, list[str]] = {}
     for one in fit.parameters:
         row = rows.setdefault(one.place, [str(one.place)])
         row += [significant(one.value, _FIGURES), plain_sure(one.sure)]
-    return [(*row, *["–"] * (len(PARAMETERS) - len(row))) for row in rows.values()]
+    return [tuple(row) for row in rows.values()]
+
+
+def parameter_titles(fit: Fit) -> tuple[str, ...]:
+    """Return the titles of `parameter_rows`; a full damping matrix is no column of it."""
+    return PARAMETERS if fit.chain.kind == "joints" else PARAMETERS[:-2]
 
 
 def to_dict(fit: Fit) -> dict[str, Any]:

@@ -53,10 +53,10 @@ def html(fit: Fit, fits: Sequence[Fit], name: str, text: str) -> str:
         remarks=remarks(fit),
         modes={"titles": tables.MODES, "rows": tables.mode_rows(fit), "texts": 1},
         parameters={
-            "titles": tables.PARAMETERS, "rows": tables.parameter_rows(fit), "texts": 1,
+            "titles": tables.parameter_titles(fit), "rows": tables.parameter_rows(fit), "texts": 1,
         },
         damping=None if fit.chain.kind == "joints" else [
-            [significant(float(value), 4) for value in row] for row in matrices.damping
+            [_cell(float(value)) for value in row] for row in matrices.damping
         ],
         orders={"titles": tables.ORDERS, "rows": tables.order_rows(fits), "texts": 2},
         orders_read=tables.ORDERS_READ,
@@ -80,6 +80,11 @@ def _identity(fit: Fit) -> list[tuple[str, str]]:
     if data.digest:
         found.insert(1, ("SHA-256", data.digest))
     return found
+
+
+def _cell(value: float) -> str:
+    """Return an entry of a matrix with a real minus sign."""
+    return significant(value, 4).replace("-", "−")
 
 
 def _numbers(fit: Fit) -> list[tuple[str, str, str]]:
