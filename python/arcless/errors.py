@@ -185,3 +185,7 @@ class MeasurementError(ArclessError):
     """A measured record cannot be read or assessed: its file, its clock, or its sensors say no."""
 
     exit_code = 2
+
+
+class FitError(ArclessError):
+    """No model of the order asked for follows the measured data, or none was found."""

@@ -14,6 +14,7 @@ from arcless.errors import (
     ExecutorError,
     ExplanationError,
     FigureError,
+    FitError,
     MeasurementError,
     MeshError,
     ModelError,
@@ -95,6 +96,11 @@ EXAMPLES = [
         MeasurementError("time goes back", where="run.csv:7", got="0.03 s after 0.04 s"),
         "run.csv:7: time goes back: got 0.03 s after 0.04 s",
         2,
+    ),
+    (
+        FitError("the fit misses the data", where="a.csv", got="12 %", expected="at most 10 %"),
+        "a.csv: the fit misses the data: got 12 %, expected at most 10 %",
+        1,
     ),
     (
         ExecutorError("the scheduler does not answer", where="tcp://localhost:1"),

@@ -1,8 +1,9 @@
 //! Many sessions stepped by one call, on several threads, with the interpreter released.
 
 use crate::error::convert;
-use crate::session::{AnySession, Session};
+use crate::session::{Session, width, write};
 use arcless_core::CoreError;
+use arcless_core::session::AnySession;
 use numpy::{PyReadonlyArray1, PyReadonlyArray2, PyReadonlyArray3, PyReadwriteArray3};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -34,7 +35,7 @@ impl Member<'_> {
                 self.failure = Some(error);
                 return;
             }
-            self.session.write(row);
+            write(self.session.outputs(), row);
             self.taken += 1;
         }
     }
@@ -61,7 +62,7 @@ pub fn advance(
     workers: usize,
 ) -> PyResult<Vec<Advanced>> {
     let (count, steps, inputs) = forces.as_array().dim();
-    let (rows, columns, width) = out.as_array().dim();
+    let (rows, columns, values) = out.as_array().dim();
     let shapes = [(rows, columns), positions.as_array().dim()];
     if steps == 0 || workers == 0 || sessions.len() != count || speeds.len()? != count {
         return Err(PyValueError::new_err("forces: sessions × steps × inputs"));
@@ -72,8 +73,8 @@ pub fn advance(
     if sessions.is_empty() {
         return Ok(Vec::new());
     }
-    let fits = |s: &PyRefMut<'_, Session>| s.0.width() == width && s.0.inputs() == inputs;
-    if !sessions.iter().all(fits) {
+    let fits = |s: &PyRefMut<'_, Session>| width(s.0.outputs()) == values && s.0.inputs() == inputs;
+    if inputs == 0 || !sessions.iter().all(fits) {
         return Err(PyValueError::new_err(
             "sessions with other numbers of inputs or outputs",
         ));
@@ -85,7 +86,7 @@ pub fn advance(
         .zip(forces.chunks_exact(steps * inputs))
         .zip(positions.chunks_exact(steps))
         .zip(speeds)
-        .zip(out.chunks_exact_mut(steps * width));
+        .zip(out.chunks_exact_mut(steps * values));
     let members = parts.map(|((((session, forces), positions), speed), out)| Member {
         session: &mut session.0,
         forces,

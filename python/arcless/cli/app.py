@@ -19,7 +19,7 @@ from arcless.cli.commands import (
     validate,
 )
 from arcless.cli.commands.measurements import measure
-from arcless.cli.commands.models import model_files, own_models, table
+from arcless.cli.commands.models import model_files, own_models, receptance, table
 from arcless.cli.completion import scripts
 from arcless.cli.process.guard import GuardedGroup
 from arcless.cli.terminal.console import data
@@ -90,3 +90,4 @@ for _command in (
     app.command(cls=WithCertainty if _command in (run.run, validate.validate) else None)(_command)
 
 app.add_typer(study.app, name="study")
+app.add_typer(receptance.app, name="pantograph")

@@ -47,6 +47,25 @@ pub struct Contact<const DIM: usize> {
 }
 
 impl<const DIM: usize> Contact<DIM> {
+    /// Returns a contact at a point of the first slideline, given by its number, without a strip.
+    pub(crate) fn at_point(number: usize, point: SlidelinePoint<DIM>) -> Self {
+        Self {
+            indices: [number, 0, 0],
+            behind: [0.0; 2],
+            is_active: true,
+            is_new: false,
+            has_wire: true,
+            point,
+            compliance: LocalCompliance::default(),
+            ends: [point; 2],
+            lateral: 0.0,
+            vector: Vec::new(),
+            column: Vec::new(),
+            columns: Vec::new(),
+            lateral_rise: 0.0,
+        }
+    }
+
     /// Returns the number of the pantograph.
     pub(crate) fn pantograph(&self) -> usize {
         self.indices[0]
@@ -142,6 +161,18 @@ impl<const DIM: usize> Contacts<DIM> {
             let columns = strip.vectors.iter().map(|e| pantograph.response(e));
             contact.columns = columns.collect();
             contact.column = contact.columns[0].clone();
+            strip.interpolate(&contact.columns, contact.lateral, &mut contact.column);
+        }
+    }
+
+    /// Updates the columns A⁻¹e of the contacts of an external pantograph, given by its number.
+    pub(crate) fn update_columns(&mut self, number: usize, pantograph: &PantographState) {
+        let contacts = self.all.iter_mut().filter(|c| c.pantograph() == number);
+        for contact in contacts {
+            let strip = &pantograph.model.strips[contact.indices[1]];
+            for (column, e) in contact.columns.iter_mut().zip(&strip.vectors) {
+                pantograph.write_response(e, column);
+            }
             strip.interpolate(&contact.columns, contact.lateral, &mut contact.column);
         }
     }

@@ -1,6 +1,6 @@
 //! Session: a line stepped from outside, one step for each call, with nothing allocated in it.
 //!
-//! Two kinds of session, one [step](crate::simulation::step), that of every run:
+//! Three kinds of session, one [step](crate::simulation::step), that of every run:
 //!
 //! * **forces given** — a real pantograph presses against the simulated wire and its force is
 //!   measured. The force F of collector j, at the position x of the collector at the time of
@@ -13,28 +13,42 @@
 //! * **pantographs simulated** — the input is the force of each pantograph's
 //!   [actuator](crate::pantograph::actuator), the outputs are contact forces and the motion of the
 //!   pantographs.
+//! * **strips given** — a program outside moves the strips of
+//!   [external pantographs](crate::pantograph::external). The input of a step are their heights z₀
+//!   at its end without contact and the compliance S of the step, the outputs are contact forces
+//!   and the heights that they lead to.
 //!
 //! Inputs are measured when the step begins and act during the whole step. Outputs belong to the
 //! end of the step, except contact forces, which belong to its time of balance.
 
+pub mod any;
 pub(crate) mod collectors;
+pub(crate) mod compliance;
 pub(crate) mod outputs;
+pub mod prepared;
+pub(crate) mod saved;
 pub(crate) mod snapshot;
 pub(crate) mod start;
+pub(crate) mod strips;
 pub(crate) mod subgrid_height;
+pub(crate) mod watched;
 
+pub use any::AnySession;
 pub use collectors::Collector;
+pub use compliance::Compliance;
 pub use outputs::Outputs;
+pub use prepared::{Drive, Prepared};
 
-use crate::checkpoint::Checkpoint;
 use crate::error::CoreError;
 use crate::integrator::wire_model::WireModel;
 use crate::linear::loads::Loads;
 use crate::pantograph::actuator::Actuator;
 use crate::pantograph::model::Pantograph;
 use crate::session::collectors::{Collectors, check_end};
+use crate::session::compliance::ComplianceWork;
 use crate::session::snapshot::Snapshot;
 use crate::session::subgrid_height::add_subgrid_heights;
+use crate::session::watched::{WatchedNode, read_uplifts};
 use crate::simulation::inputs::Inputs;
 use crate::simulation::model::Model;
 use crate::simulation::run::OBSERVE_EVERY;
@@ -44,6 +58,7 @@ use std::sync::Arc;
 
 /// Start of a session.
 #[derive(Debug, Clone, Copy)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct SessionStart {
     /// Position along the track, m.
     pub position: f64,
@@ -87,15 +102,28 @@ pub struct Session<const DIM: usize, const D: usize> {
     pub(crate) speed: f64,
     pub(crate) state: State<DIM, D>,
     pub(crate) outputs: Outputs,
+    pub(crate) watched: Vec<WatchedNode<DIM>>,
+    pub(crate) compliance: ComplianceWork<DIM>,
 }
 
-/// Name of position and speed among the numbers of a saved state.
-const POSITION_AND_SPEED: &str = "loop_position_speed";
+/// Inputs of a step with the loads of collectors, with its positions (m) and speed (m/s).
+pub(crate) fn step_inputs<const DIM: usize>(
+    collectors: &Collectors<DIM>,
+    positions: [f64; 3],
+    speed: f64,
+) -> Inputs<'_> {
+    Inputs {
+        positions,
+        speed,
+        loads: Loads::new(&collectors.loads, &collectors.sizes),
+        excitations: &[],
+    }
+}
 
 impl<const DIM: usize, const D: usize> Session<DIM, D> {
     /// Takes a step that ends at `position` (m) with `speed` (m/s). `forces` in N act during the
     /// step: one for each collector where forces are given, else one for the actuator of each
-    /// pantograph.
+    /// pantograph. Where strips are given, see [`Session::step_strips`].
     ///
     /// Nothing is allocated unless the step fails, or more links are slack than
     /// [`RESERVED_ROWS`](crate::session::start::RESERVED_ROWS) allows for. After a failure the
@@ -104,17 +132,25 @@ impl<const DIM: usize, const D: usize> Session<DIM, D> {
     /// # Errors
     /// [`CoreError::Input`], or any [`CoreError`] that a step can raise.
     pub fn step(&mut self, forces: &[f64], position: f64, speed: f64) -> Result<(), CoreError> {
+        if self.has_strips() {
+            let reason = "where strips are given, heights and compliances move them";
+            return Err(CoreError::invalid("forces", reason));
+        }
         self.check_inputs(forces, position, speed)?;
-        let old = self.model.line.coefficients.old;
-        let at_balance = |before: f64, after: f64| (1.0 - old) * after + old * before;
-        let positions = [self.position, at_balance(self.position, position), position];
+        self.take_step(forces, position, speed)
+    }
+
+    /// Takes a step with checked inputs.
+    pub(crate) fn take_step(
+        &mut self,
+        forces: &[f64],
+        position: f64,
+        speed: f64,
+    ) -> Result<(), CoreError> {
+        let positions = self.positions(position);
         self.set_forces(forces, positions)?;
-        let inputs = Inputs {
-            positions,
-            speed: at_balance(self.speed, speed),
-            loads: Loads::new(&self.collectors.loads, &self.collectors.sizes),
-            excitations: &[],
-        };
+        let speed_at_balance = self.at_balance(self.speed, speed);
+        let inputs = step_inputs(&self.collectors, positions, speed_at_balance);
         let number = self.steps();
         step(&self.model.borrow(), &inputs, &mut self.state)?;
         if number.is_multiple_of(OBSERVE_EVERY) {
@@ -122,6 +158,38 @@ impl<const DIM: usize, const D: usize> Session<DIM, D> {
         }
         (self.position, self.speed) = (position, speed);
         self.read_outputs()
+    }
+
+    /// Value at the time of balance from those at the start and the end of the step.
+    pub(crate) fn at_balance(&self, before: f64, after: f64) -> f64 {
+        let old = self.model.line.coefficients.old;
+        (1.0 - old) * after + old * before
+    }
+
+    /// Positions at the start of a step that ends at `position`, at its time of balance, and at its
+    /// end, m.
+    pub(crate) fn positions(&self, position: f64) -> [f64; 3] {
+        let balance = self.at_balance(self.position, position);
+        [self.position, balance, position]
+    }
+
+    /// Weight α_f of the start of a step in its balance: inputs and contact forces belong to the
+    /// time (1 − α_f) h after the start.
+    #[must_use]
+    pub fn old_weight(&self) -> f64 {
+        self.model.line.coefficients.old
+    }
+
+    /// Step length, s.
+    #[must_use]
+    pub fn step_length(&self) -> f64 {
+        self.model.line.h
+    }
+
+    /// Flexibility 1/k_c of a contact, m/N.
+    #[must_use]
+    pub fn contact_flexibility(&self) -> f64 {
+        self.model.line.contact_flexibility
     }
 
     /// Outputs of the last step, or of the start.
@@ -157,9 +225,12 @@ impl<const DIM: usize, const D: usize> Session<DIM, D> {
         (self.position, self.speed)
     }
 
-    /// Number of forces that a step needs.
+    /// Number of forces that a step needs; zero where strips are given.
     #[must_use]
     pub fn inputs(&self) -> usize {
+        if self.has_strips() {
+            return 0;
+        }
         self.collectors.all.len().max(self.model.pantographs.len())
     }
 
@@ -187,7 +258,11 @@ impl<const DIM: usize, const D: usize> Session<DIM, D> {
 
     /// Sets the forces of the step, N: of actuators, and of collectors on the wire. Positions of
     /// the session, m: at the start of the step, at the time of balance, and at the end.
-    fn set_forces(&mut self, forces: &[f64], [_, balance, end]: [f64; 3]) -> Result<(), CoreError> {
+    pub(crate) fn set_forces(
+        &mut self,
+        forces: &[f64],
+        [_, balance, end]: [f64; 3],
+    ) -> Result<(), CoreError> {
         let (model, motion) = (self.model.borrow(), &mut self.state.motion);
         check_end(model.wires, motion, end)?;
         for (pantograph, force) in motion.pantographs.iter_mut().zip(forces) {
@@ -211,43 +286,9 @@ impl<const DIM: usize, const D: usize> Session<DIM, D> {
         };
         self.outputs.read_mesh(&snapshot)?;
         add_subgrid_heights(&mut self.outputs, &snapshot);
+        let Outputs { force, uplift, .. } = &mut self.outputs;
+        read_uplifts(&self.watched, &snapshot, force, uplift);
         Ok(())
-    }
-
-    /// Saves the state between two steps.
-    ///
-    /// # Errors
-    /// None for a state that steps have left.
-    pub fn save(&mut self) -> Result<Checkpoint, CoreError> {
-        let mut saved = self.state.save(&self.model.borrow())?;
-        let numbers = vec![self.position, self.speed];
-        saved.numbers.insert(POSITION_AND_SPEED.into(), numbers);
-        Ok(saved)
-    }
-
-    /// Restores a saved state of this session, or of another one on the same line with as many
-    /// pantographs.
-    ///
-    /// # Errors
-    /// [`CoreError::Input`] for a state of another session; the present one is then kept.
-    pub fn restore(&mut self, saved: &Checkpoint) -> Result<(), CoreError> {
-        let mut saved = saved.clone();
-        let numbers = saved.numbers.remove(POSITION_AND_SPEED).unwrap_or_default();
-        let [position, speed] = numbers[..] else {
-            return Err(CoreError::invalid("state", "it is not of a loop"));
-        };
-        let mut state = self.state.clone();
-        state.restore(&self.model.borrow(), &saved)?;
-        let before = (self.position, self.speed);
-        (self.position, self.speed) = (position, speed);
-        let before_state = std::mem::replace(&mut self.state, state);
-        let restored = self.read_outputs();
-        if restored.is_err() {
-            (self.position, self.speed) = before;
-            self.state = before_state;
-            self.read_outputs()?;
-        }
-        restored
     }
 }
 

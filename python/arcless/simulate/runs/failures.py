@@ -147,6 +147,12 @@ def translated(
         return _unsolved(mesh, pantographs, details)
     if kind in BESIDE:
         return _beside_the_wire(pantographs, kind, details)
+    if kind == "external":
+        return ContactError(
+            f"the program that moves pantograph {pantographs[details['pantograph']]} failed",
+            where=f"step {details['step']}, t = {details['time']:.6g} s",
+            got=details["reason"],
+        )
     if (kind, details.get("array")) == ("input", "state"):
         return ResultFormatError("the state in the result does not fit this run", got=message)
     if kind == "balance" or kind in STEPS:
