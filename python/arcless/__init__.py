@@ -24,6 +24,7 @@ _NAMES = {
         "ExecutorError",
         "ExplanationError",
         "FigureError",
+        "FmuError",
         "MeasurementError",
         "MeshError",
         "NotConvergedError",

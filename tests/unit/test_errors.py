@@ -14,6 +14,7 @@ from arcless.errors import (
     ExecutorError,
     ExplanationError,
     FigureError,
+    FmuError,
     MeasurementError,
     MeshError,
     ModelError,
@@ -69,6 +70,11 @@ EXAMPLES = [
     (
         ControlError("the controller failed", where="pantograph P1, t = 0.5 s", got="KeyError: 1"),
         "pantograph P1, t = 0.5 s: the controller failed: got KeyError: 1",
+        1,
+    ),
+    (
+        FmuError("the FMU is gone", where="pantograph P1, t = 0.5 s", got="it crashed"),
+        "pantograph P1, t = 0.5 s: the FMU is gone: got it crashed",
         1,
     ),
     (

@@ -30,6 +30,7 @@ def run(
     controllers: Mapping[str, ControlFunction | type] | None = None,
     certainty: int | None = None,
     watch: Watch | None = None,
+    allow_fmu: bool = False,
 ) -> Result:
     """Run a scenario: statics, dynamics, record.
 
@@ -63,11 +64,16 @@ def run(
         Called while the run steps with a `MotionPiece`: the motion of the line near the
         pantographs, as `output.motion` records it; the result holds it only where that is set. It
         is called in the thread that steps, and what it raises ends the run.
+    allow_fmu
+        Whether pantographs that are FMUs may run: their code has all rights that you have.
+        Without it the environment variable ARCLESS_ALLOW_FMU=1 allows them.
 
     Raises
     ------
     ModelError
         There is no room for other starts.
+    FmuError
+        A pantograph is an FMU that may not run, cannot be loaded, fails, crashes or hangs.
     MeshError, EquilibriumError, ContactError, ControlError
         The line cannot be divided, has no equilibrium, a step cannot be solved, a controller
         failed, or it is a function whose memory cannot be saved and the run is to stop early.
@@ -83,7 +89,7 @@ def run(
     _check_starts(scenario)
     tell = progress or (lambda _fraction, _text: None)
     started = time.perf_counter()
-    job = lay_out(scenario, decided, tell, cancel)
+    job = lay_out(scenario, decided, tell, cancel, allow_fmu=allow_fmu)
     if watch is not None:
         asked = any(placement.mean_force is not None for placement in scenario.pantographs)
         job = replace(job, viewer=Viewer(watch, searching=asked))
@@ -108,6 +114,7 @@ def resume(
     to: str | Path | None = None,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
+    allow_fmu: bool = False,
 ) -> Result:
     """Continue a run that stopped early; the result is that of the whole run, bit for bit.
 
@@ -117,7 +124,7 @@ def resume(
         Of `run` or `resume` with `until`, or `arcless.open` of its file.
     until
         Stop early again, see `run`.
-    to, progress, cancel
+    to, progress, cancel, allow_fmu
         See `run`.
 
     Raises
@@ -125,15 +132,15 @@ def resume(
     ResultFormatError
         The result is complete, its state is damaged or of another version, or the scenario or the
         line at rest is another one than when the run began.
-    ContactError, ControlError
-        A step cannot be solved, or a controller failed.
+    ContactError, ControlError, FmuError
+        A step cannot be solved, or a controller or an FMU failed.
     """
     saved = checkpoint.read(result)
     _check_starts(result.scenario)
     tell = progress or (lambda _fraction, _text: None)
     started = time.perf_counter()
     decided = Controllers(result.scenario)
-    job = lay_out(result.scenario, decided, tell, cancel)
+    job = lay_out(result.scenario, decided, tell, cancel, allow_fmu=allow_fmu)
     checkpoint.check_identity(result, checkpoint.identity(job.scenario, job.found, job.travel))
     last = checkpoint.stop_step(job.travel, until, after=saved.step)
     forces = checkpoint.take_forces(saved, len(job.scenario.pantographs))

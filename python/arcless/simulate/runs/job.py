@@ -13,6 +13,7 @@ from arcless.errors import ArclessError
 from arcless.model import Scenario
 from arcless.model.scenario.coarse_copy import coarse
 from arcless.model.settings.schemes import EXPLICIT
+from arcless.simulate.fmu.consent import check_consent
 from arcless.simulate.recording.motion import MotionLayout, layout_of
 from arcless.simulate.recording.recording_window import Nearby, nearby
 from arcless.simulate.runs.checkpoint import State
@@ -49,6 +50,8 @@ class Job:
         None where none serves.
     viewer
         Handed the motion of the line while a full run steps; None where nobody looks.
+    allow_fmu
+        Whether the code of FMUs may run.
     """
 
     scenario: Scenario
@@ -61,6 +64,7 @@ class Job:
     observe: Callable[[int], bool]
     copy: Callable[[], "Job | None"] = lambda: None
     viewer: Viewer | None = None
+    allow_fmu: bool = False
 
     def step(
         self,
@@ -205,20 +209,37 @@ def lay_out(
     line: Line | None = None,
     *,
     doing: str = STEPPING,
+    allow_fmu: bool = False,
 ) -> Job:
     """Lay out a run on its line: the travel, and what is given over time.
 
-    `doing` is what is told of its steps.
+    `doing` is what is told of its steps; `allow_fmu` whether the code of FMUs may run.
+
+    Raises
+    ------
+    FmuError
+        A pantograph is an FMU, and may not run.
     """
+    check_consent(scenario, allow_fmu=allow_fmu)
     line = line or ready_line(scenario, tell)
     travel = trajectory.motion(scenario)
     excitations = pantographs.excitations(scenario, travel)
     loads = gust_loads.line_loads(line.found, scenario, travel)
     step_s = scenario.time_step_s if doing == STEPPING else None
     observe = observer(travel.steps, doing, tell, cancel, step_s)
-    copy = partial(_coarse_copy, scenario, controllers, tell, cancel, line)
-    found, model = line.found, line.model
-    return Job(scenario, found, model, travel, excitations, loads, controllers, observe, copy)
+    copy = partial(_coarse_copy, scenario, controllers, tell, cancel, line, allow_fmu=allow_fmu)
+    return Job(
+        scenario,
+        line.found,
+        line.model,
+        travel,
+        excitations,
+        loads,
+        controllers,
+        observe,
+        copy,
+        allow_fmu=allow_fmu,
+    )
 
 
 def _coarse_copy(
@@ -227,6 +248,8 @@ def _coarse_copy(
     tell: Progress,
     cancel: Cancel | None,
     line: Line,
+    *,
+    allow_fmu: bool,
 ) -> Job | None:
     """Lay out a coarse copy of a run; None where none serves.
 
@@ -237,7 +260,8 @@ def _coarse_copy(
     if copied is None or coarser is None:
         return None
     try:
-        return lay_out(copied, Controllers(copied), tell, cancel, coarser, doing=SEARCHING)
+        decided = Controllers(copied)
+        return lay_out(copied, decided, tell, cancel, coarser, doing=SEARCHING, allow_fmu=allow_fmu)
     except ArclessError:
         return None
 
