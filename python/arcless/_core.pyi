@@ -95,6 +95,23 @@ class Session:
         distances: list[float],
         start: SessionStart,
     ) -> Session: ...
+    @staticmethod
+    def with_strips(
+        *,
+        line: WireModel,
+        pantographs: list[PantographData],
+        distances: list[float],
+        start: SessionStart,
+    ) -> Session: ...
+    def step_strips(
+        self,
+        heights: NDArray[np.float64],
+        compliance: NDArray[np.float64],
+        position: float,
+        speed: float,
+        out: NDArray[np.float64],
+    ) -> None: ...
+    def strip_heights(self) -> NDArray[np.float64]: ...
     def step(
         self,
         forces: NDArray[np.float64],

@@ -84,6 +84,22 @@ pub enum CoreError {
         /// Reason given by the controller.
         reason: String,
     },
+    /// The program that moves an external pantograph failed, or gave no sound motion.
+    #[error(
+        "no motion of external pantograph {pantograph} in step {step} (t = {time:.6} s): {reason}"
+    )]
+    External {
+        /// Index of the pantograph.
+        pantograph: usize,
+        /// Step number.
+        step: usize,
+        /// Time, s.
+        time: f64,
+        /// Position of the pantograph, m.
+        position: f64,
+        /// Reason given by the program, or why its motion is refused.
+        reason: String,
+    },
     /// A number became infinite or not a number.
     #[error("not a finite number in {what} at step {step}")]
     NotFinite {
@@ -180,6 +196,15 @@ impl CoreError {
     pub(crate) fn invalid(array: &'static str, reason: impl Into<String>) -> Self {
         let reason = reason.into();
         Self::Input { array, reason }
+    }
+
+    /// Tells whether a function that the run calls has ended it.
+    #[must_use]
+    pub fn is_ended_from_outside(&self) -> bool {
+        matches!(
+            self,
+            Self::Cancelled { .. } | Self::Control { .. } | Self::External { .. }
+        )
     }
 
     /// Sets the index of the pantograph concerned.

@@ -22,6 +22,7 @@ mod ledger;
 mod live;
 mod loads;
 mod lumped;
+mod outside;
 mod pantograph;
 mod period;
 mod pieces;

@@ -28,6 +28,7 @@ fn two_masses() -> Pantograph {
         stops: Vec::new(),
         piecewise_forces: Vec::new(),
         actuator: None,
+        is_external: false,
     }
 }
 

@@ -6,6 +6,7 @@ use crate::tests::resume::{bits, way};
 use arcless_core::CoreError;
 use arcless_core::integrator::wire_model::WireModel;
 use arcless_core::pantograph::actuator::Sample;
+use arcless_core::pantograph::external::Nobody;
 use arcless_core::scheme::Scheme;
 use arcless_core::simulation::recording::record::{Record, RecordPlan};
 use arcless_core::simulation::recording::window::{MotionPlan, Near, SortedStations};
@@ -28,6 +29,7 @@ fn run(
     let callers = Callbacks {
         observe: &mut |_| true,
         ask: &mut nobody,
+        outside: &mut Nobody,
         take: Some((enough, take)),
     };
     let (pantographs, travel) = ([three_masses(90.0)], way(STEPS, vec![0.0]));

@@ -25,6 +25,7 @@ fn oscillator(zeta: f64) -> Pantograph {
         stops: Vec::new(),
         piecewise_forces: Vec::new(),
         actuator: None,
+        is_external: false,
     }
 }
 

@@ -102,6 +102,7 @@ fn two_masses(force: f64) -> Pantograph {
         stops: Vec::new(),
         piecewise_forces: Vec::new(),
         actuator: None,
+        is_external: false,
     }
 }
 

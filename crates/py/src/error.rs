@@ -87,6 +87,20 @@ fn details<'py>(
             d.set_item("reason", reason)?;
             "control"
         }
+        CoreError::External {
+            pantograph,
+            step,
+            time,
+            position,
+            reason,
+        } => {
+            d.set_item("pantograph", pantograph)?;
+            d.set_item("step", step)?;
+            d.set_item("time", time)?;
+            d.set_item("position", position)?;
+            d.set_item("reason", reason)?;
+            "external"
+        }
         CoreError::NotFinite { step, .. } => {
             d.set_item("step", step)?;
             "not_finite"

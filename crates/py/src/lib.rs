@@ -5,6 +5,7 @@ mod error;
 mod filter;
 mod lcp;
 mod model;
+mod outside;
 mod pantographs;
 mod records;
 mod session;

@@ -1,14 +1,14 @@
 //! Line that is ready for steps, and runs on it.
 
 use crate::error::convert;
-use crate::pantographs::{PantographData, pantograph};
+use crate::outside::Programs;
+use crate::pantographs::{AskedPantograph, PantographData, pantograph};
 use crate::records::{PlanData, arrays, numbers};
 use arcless_core::CoreError;
 use arcless_core::checkpoint::Checkpoint;
 use arcless_core::integrator::wire_model;
 use arcless_core::linear::loads::Load;
 use arcless_core::pantograph::actuator::Sample;
-use arcless_core::pantograph::model::Pantograph;
 use arcless_core::simulation::inputs::Trajectory;
 use arcless_core::simulation::recording::record::Record;
 use arcless_core::simulation::run::{Callbacks, Part};
@@ -101,8 +101,9 @@ impl WireModel {
         until: Option<usize>,
         take: Option<(usize, Py<PyAny>)>,
     ) -> PyResult<Bound<'py, PyDict>> {
-        let (pantographs, controllers): (Vec<Pantograph>, Vec<Option<Py<PyAny>>>) =
-            pantographs.into_iter().map(pantograph).unzip();
+        let pantographs = pantographs.into_iter().map(pantograph);
+        let pantographs = pantographs.collect::<PyResult<Vec<_>>>()?;
+        let (pantographs, [controllers, programs]) = AskedPantograph::split(pantographs);
         let travel = Trajectory {
             positions: positions.to_vec()?,
             speeds: speeds.to_vec()?,
@@ -116,6 +117,10 @@ impl WireModel {
         let plan = plan.into();
         let state = state.map(|(step, numbers)| Checkpoint { step, numbers });
         let observer = observe.clone().unbind();
+        let mut outside = Programs {
+            programs: &programs,
+            raised: None,
+        };
         let (mut raised, mut failed, mut lost) = (None::<PyErr>, None::<PyErr>, None::<PyErr>);
         let outcome = py.detach(|| {
             let mut go_on = |step: usize| {
@@ -154,14 +159,14 @@ impl WireModel {
             let callers = Callbacks {
                 observe: &mut go_on,
                 ask: &mut ask,
+                outside: &mut outside,
                 take: enough.map(|numbers| (numbers, &mut hand_on as _)),
             };
             either!(&self.0, p => p.run_pieces(&pantographs, &travel, &plan, part, callers))
         });
-        match (outcome, raised.or(failed).or(lost)) {
-            (Err(CoreError::Cancelled { .. } | CoreError::Control { .. }), Some(error)) => {
-                Err(error)
-            }
+        let ended_by = CoreError::is_ended_from_outside;
+        match (outcome, raised.or(failed).or(lost).or(outside.raised)) {
+            (Err(error), Some(raised)) if ended_by(&error) => Err(raised),
             (Err(error), _) => Err(convert(py, &error)),
             (Ok((record, state)), _) => {
                 let out = arrays(py, record)?;

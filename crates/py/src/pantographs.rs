@@ -8,6 +8,7 @@ use arcless_core::pantograph::excitation::{BaseMotion, Excitation, ForceHistory}
 use arcless_core::pantograph::model::Pantograph;
 use arcless_core::pantograph::piecewise_force::PiecewiseForce;
 use arcless_core::pantograph::strip::Strip;
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 #[derive(FromPyObject)]
@@ -23,6 +24,7 @@ pub struct PantographData {
     stops: Vec<BumpStopData>,
     piecewise_forces: Vec<PiecewiseForceData>,
     actuator: Option<ActuatorData>,
+    external: Option<Py<PyAny>>,
 }
 
 #[derive(FromPyObject)]
@@ -126,9 +128,61 @@ impl From<PiecewiseForceData> for PiecewiseForce {
     }
 }
 
-/// Pantograph of the core, and who is asked for the force of its actuator.
-pub fn pantograph(data: PantographData) -> (Pantograph, Option<Py<PyAny>>) {
-    let (actuator, asked) = data.actuator.map_or((None, None), |own| {
+/// Pantograph of the core, with the objects of Python that are asked about it during a run.
+pub struct AskedPantograph {
+    pub pantograph: Pantograph,
+    /// Controller of its actuator.
+    pub controller: Option<Py<PyAny>>,
+    /// Program that moves it, of an external one.
+    pub program: Option<Py<PyAny>>,
+}
+
+impl AskedPantograph {
+    /// Splits a list into pantographs, their controllers and their programs.
+    pub fn split(list: Vec<Self>) -> (Vec<Pantograph>, [Vec<Option<Py<PyAny>>>; 2]) {
+        let (mut pantographs, mut asked) = (Vec::new(), [Vec::new(), Vec::new()]);
+        for own in list {
+            pantographs.push(own.pantograph);
+            asked[0].push(own.controller);
+            asked[1].push(own.program);
+        }
+        (pantographs, asked)
+    }
+}
+
+/// External pantograph: it has strips and a force at the start alone.
+fn external(data: PantographData) -> PyResult<Pantograph> {
+    let numbers = [
+        &data.mass,
+        &data.damping,
+        &data.stiffness,
+        &data.preload,
+        &data.lift,
+    ];
+    let has_forces = data.actuator.is_some()
+        || !(data.stops.is_empty() && data.piecewise_forces.is_empty())
+        || !data.excitation.forces.is_empty()
+        || data.excitation.base.is_some();
+    if has_forces || numbers.iter().any(|list| !list.is_empty()) {
+        let message = "an external pantograph has no matrices and no forces of its own";
+        return Err(PyValueError::new_err(message));
+    }
+    let size = data.strips.first().and_then(|strip| strip.vectors.first());
+    let size = size.map_or(0, Vec::len);
+    let strips = data.strips.into_iter().map(Strip::from).collect();
+    Ok(Pantograph::external(strips, size, data.start_force))
+}
+
+/// Pantograph of the core.
+pub fn pantograph(mut data: PantographData) -> PyResult<AskedPantograph> {
+    if let Some(program) = data.external.take() {
+        return Ok(AskedPantograph {
+            pantograph: external(data)?,
+            controller: None,
+            program: Some(program),
+        });
+    }
+    let (actuator, controller) = data.actuator.map_or((None, None), |own| {
         let actuator = Actuator {
             direction: own.direction,
             every: own.every,
@@ -152,6 +206,11 @@ pub fn pantograph(data: PantographData) -> (Pantograph, Option<Py<PyAny>>) {
             .map(PiecewiseForce::from)
             .collect(),
         actuator,
+        is_external: false,
     };
-    (pantograph, asked)
+    Ok(AskedPantograph {
+        pantograph,
+        controller,
+        program: None,
+    })
 }

@@ -9,7 +9,7 @@ use arcless_core::checkpoint::Checkpoint;
 use arcless_core::integrator::wire_model;
 use arcless_core::pantograph::model::Pantograph;
 use arcless_core::session::{self, Collector, SessionStart};
-use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1, PyReadwriteArray1};
+use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1, PyReadwriteArray1, ToPyArray};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -114,7 +114,8 @@ impl Session {
         start: StartData,
     ) -> PyResult<Self> {
         let pantographs = pantographs.into_iter();
-        let pantographs = pantographs.map(|data| pantograph(data).0).collect();
+        let pantographs = pantographs.map(|data| Ok(pantograph(data)?.pantograph));
+        let pantographs = pantographs.collect::<PyResult<Vec<_>>>()?;
         fn make<const DIM: usize, const D: usize>(
             p: &Arc<wire_model::WireModel<DIM, D>>,
             (pantographs, distances): (Vec<Pantograph>, Vec<f64>),
@@ -130,6 +131,61 @@ impl Session {
             Any::SpatialChain(p) => make(p, what, start).map(AnySession::SpatialChain),
         });
         found.map(Self).map_err(|e| convert(py, &e))
+    }
+
+    /// Session with given strips, those of external pantographs at `distances` (m) behind the
+    /// first; programs that they bring are not called.
+    #[staticmethod]
+    #[pyo3(signature = (*, line, pantographs, distances, start))]
+    fn with_strips(
+        py: Python<'_>,
+        line: &WireModel,
+        pantographs: Vec<PantographData>,
+        distances: Vec<f64>,
+        start: StartData,
+    ) -> PyResult<Self> {
+        let pantographs = pantographs.into_iter();
+        let pantographs = pantographs.map(|data| Ok(pantograph(data)?.pantograph));
+        let pantographs = pantographs.collect::<PyResult<Vec<_>>>()?;
+        fn make<const DIM: usize, const D: usize>(
+            p: &Arc<wire_model::WireModel<DIM, D>>,
+            (pantographs, distances): (Vec<Pantograph>, Vec<f64>),
+            start: StartData,
+        ) -> Made<DIM, D> {
+            session::Session::with_strips(p.clone(), pantographs, distances, start.into())
+        }
+        let what = (pantographs, distances);
+        let found = py.detach(|| match &line.0 {
+            Any::Planar(p) => make(p, what, start).map(AnySession::Planar),
+            Any::Spatial(p) => make(p, what, start).map(AnySession::Spatial),
+            Any::PlanarChain(p) => make(p, what, start).map(AnySession::PlanarChain),
+            Any::SpatialChain(p) => make(p, what, start).map(AnySession::SpatialChain),
+        });
+        found.map(Self).map_err(|e| convert(py, &e))
+    }
+
+    /// Take a step with given strips that ends at `position` (m) with `speed` (m/s): heights at its
+    /// end without contact (m), compliances (m/N) row by row, of all pantographs one after the
+    /// other; write what it leaves into `out`, see `read`.
+    fn step_strips(
+        &mut self,
+        py: Python<'_>,
+        heights: PyReadonlyArray1<'_, f64>,
+        compliance: PyReadonlyArray1<'_, f64>,
+        position: f64,
+        speed: f64,
+        out: PyReadwriteArray1<'_, f64>,
+    ) -> PyResult<()> {
+        let (z, s) = (heights.as_slice()?, compliance.as_slice()?);
+        let taken = either!(&mut self.0, session => session.step_strips(z, s, position, speed));
+        taken.map_err(|e| convert(py, &e))?;
+        self.read(out)
+    }
+
+    /// Heights of the strips of external pantographs at the end of the last step, m.
+    fn strip_heights<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        let outputs = either!(&self.0, session => session.outputs());
+        outputs.strip_height.to_pyarray(py)
     }
 
     /// Take a step that ends at `position` (m) with `speed` (m/s) under `forces` (N), and write

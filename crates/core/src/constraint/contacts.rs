@@ -146,6 +146,18 @@ impl<const DIM: usize> Contacts<DIM> {
         }
     }
 
+    /// Updates the columns A⁻¹e of the contacts of an external pantograph, given by its number.
+    pub(crate) fn update_columns(&mut self, number: usize, pantograph: &PantographState) {
+        let contacts = self.all.iter_mut().filter(|c| c.pantograph() == number);
+        for contact in contacts {
+            let strip = &pantograph.model.strips[contact.indices[1]];
+            for (column, e) in contact.columns.iter_mut().zip(&strip.vectors) {
+                pantograph.write_response(e, column);
+            }
+            strip.interpolate(&contact.columns, contact.lateral, &mut contact.column);
+        }
+    }
+
     /// Finds the points of the active contacts again on moved slidelines, before the first step.
     pub(crate) fn relocate(&mut self, slidelines: &[Slideline<DIM>], position: f64) {
         for &i in &self.active {

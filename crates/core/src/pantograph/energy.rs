@@ -12,7 +12,8 @@ use crate::scheme::Coefficients;
 /// Work in one step of a pantograph, J.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct PantographWork {
-    /// Work of preload, lift, given forces and the moving base.
+    /// Work of preload, lift, given forces and the moving base, and of what moves an external
+    /// pantograph.
     pub uplift: f64,
     /// Work of the actuator.
     pub control: f64,
@@ -91,6 +92,7 @@ impl PantographState {
             r.preload[i] * self.preload + r.lift[i] * speed * speed + excitation.force[i]
         };
         let supplied: f64 = (0..n).map(|i| force(i) * self.delta[i]).sum();
+        let from_outside = inner(&self.external.load, &self.delta);
         // The base bears the reaction of springs, dampers and stops.
         let nonlinear = self
             .nonlinear_forces()
@@ -106,7 +108,7 @@ impl PantographState {
                 .sum()
         };
         PantographWork {
-            uplift: supplied - base_increment * reaction,
+            uplift: supplied + from_outside - base_increment * reaction,
             control: self
                 .actuator_force()
                 .map_or(0.0, |(d, force)| force * inner(d, &self.delta)),

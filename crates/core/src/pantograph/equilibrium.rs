@@ -46,6 +46,9 @@ impl PantographEquilibrium {
         s: &[f64],
         z: f64,
     ) -> Result<Vec<f64>, CoreError> {
+        if pantograph.is_external {
+            return at_one_height(pantograph, (s, z));
+        }
         let solution = solve(pantograph, &self.stiffness, force, (s, z));
         solution.map(|(u, _)| u).ok_or_else(unbalanced)
     }
@@ -75,6 +78,13 @@ pub(crate) fn find_equilibrium(
     level: (&[f64], f64),
     speed: f64,
 ) -> Result<PantographEquilibrium, CoreError> {
+    if pantograph.is_external {
+        return Ok(PantographEquilibrium {
+            u: at_one_height(pantograph, level)?,
+            preload: 0.0,
+            stiffness: pantograph.stiffness.clone(),
+        });
+    }
     let forces = pantograph.piecewise_forces.iter().enumerate();
     let springs: Vec<(usize, &PiecewiseForce)> = forces
         .filter(|(_, f)| f.kind == ForceKind::Spring)
@@ -137,6 +147,16 @@ pub(crate) fn find_equilibrium(
         };
     }
     Err(unbalanced())
+}
+
+/// Displacements of an external pantograph, m: all coordinates at one height, with sᵀu = z.
+fn at_one_height(pantograph: &Pantograph, (s, z): (&[f64], f64)) -> Result<Vec<f64>, CoreError> {
+    let share: f64 = s.iter().sum();
+    if share > 0.0 {
+        return Ok(vec![z / share; pantograph.size()]);
+    }
+    let reason = "a strip of an external one that does not rise with its coordinates";
+    Err(CoreError::invalid("pantographs", reason))
 }
 
 /// Rounding of a displacement, m, for a table.

@@ -58,7 +58,12 @@ impl HalfStepEnergy {
             let (v, a) = (pantograph.v[k], pantograph.a[k]);
             let (new_v, new_a) = c.advance(pantograph.delta[k], v, a);
             self.z[k] = pantograph.u[k] + 0.5 * h * v;
-            self.increment[k] = h * new_v;
+            self.increment[k] = if pantograph.model.is_external {
+                // z⁺ − z⁻ with the velocity Δu/h at the end of the step.
+                pantograph.delta[k] + 0.5 * (pantograph.delta[k] - h * v)
+            } else {
+                h * new_v
+            };
             self.steps[0][k] = h * v + 0.5 * h * h * a;
             self.steps[1][k] = h * new_v + 0.5 * h * h * new_a;
         }
@@ -77,6 +82,7 @@ impl HalfStepEnergy {
             r.preload[i] * pantograph.preload + r.lift[i] * speed * speed + excitation.force[i]
         };
         e.work_uplift += (0..dz.len()).map(|i| force(i) * dz[i]).sum::<f64>();
+        e.work_uplift += inner(&pantograph.external.load, dz);
         e.work_control += pantograph
             .actuator_force()
             .map_or(0.0, |(d, force)| force * inner(d, dz));

@@ -6,6 +6,7 @@ pub mod bump_stop;
 pub mod energy;
 pub mod equilibrium;
 pub mod excitation;
+pub mod external;
 pub(crate) mod half_steps;
 pub mod model;
 pub mod piecewise_force;

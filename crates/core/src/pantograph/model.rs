@@ -45,6 +45,9 @@ pub struct Pantograph {
     pub piecewise_forces: Vec<PiecewiseForce>,
     /// Force controlled during the run.
     pub actuator: Option<Actuator>,
+    /// True for one that a program outside moves: see
+    /// [external pantograph](crate::pantograph::external). Its matrices are zero.
+    pub is_external: bool,
 }
 
 impl Pantograph {
@@ -74,6 +77,10 @@ impl Pantograph {
             && self.actuator.iter().all(|a| a.is_valid(n));
         if n == 0 || !sized || !finite || !parts || !self.start_force.is_finite() {
             let reason = "sizes disagree or a number is not finite";
+            return Err(CoreError::invalid("pantographs", reason));
+        }
+        if self.is_external && !self.is_free_of_inner_forces() {
+            let reason = "an external one with matrices or forces of its own";
             return Err(CoreError::invalid("pantographs", reason));
         }
         strip::check(&self.strips, n)

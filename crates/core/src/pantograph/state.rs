@@ -2,12 +2,13 @@
 
 use crate::error::CoreError;
 use crate::linalg::dense;
-use crate::linalg::small::matrix_vector;
+use crate::linalg::small::{inner, matrix_vector};
 use crate::pantograph::actuator::ActuatorState;
 use crate::pantograph::breakpoint::{BalanceInstant, Branch, Breakpoint};
 use crate::pantograph::bump_stop::check_independent;
 use crate::pantograph::equilibrium;
 use crate::pantograph::excitation::{ExcitationNow, ExcitationState};
+use crate::pantograph::external::ExternalState;
 use crate::pantograph::model::Pantograph;
 use crate::pantograph::piecewise_force::{PiecewiseForceState, add_slopes, check_steps};
 use crate::scheme::Coefficients;
@@ -34,6 +35,7 @@ pub struct PantographState {
     pub(crate) piecewise_forces: Vec<PiecewiseForceState>,
     pub(crate) actuator: ActuatorState,
     pub(crate) excitation: ExcitationState,
+    pub(crate) external: ExternalState,
     /// Increment without contact forces and forces of breakpoints, m.
     predicted: Vec<f64>,
     rhs: Vec<f64>,
@@ -72,7 +74,13 @@ impl PantographState {
                     + c.stiffness * model.stiffness[i]
             })
             .collect();
-        let inverse = dense::inverse(&a, n).ok_or_else(|| {
+        // The response of an external one is set before each step.
+        let inverse = if model.is_external {
+            Some(a.clone())
+        } else {
+            dense::inverse(&a, n)
+        };
+        let inverse = inverse.ok_or_else(|| {
             CoreError::invalid("pantographs", "a mass without inertia or stiffness")
         })?;
         let zero = vec![0.0; n];
@@ -96,6 +104,7 @@ impl PantographState {
             breakpoints,
             actuator: ActuatorState::default(),
             excitation,
+            external: ExternalState::new(if model.is_external { n } else { 0 }),
             predicted: zero.clone(),
             inverse,
             preload,
@@ -114,6 +123,18 @@ impl PantographState {
         matrix_vector(&self.inverse, e)
     }
 
+    /// Writes the response A⁻¹ e into `out`, m/N.
+    pub(crate) fn write_response(&self, e: &[f64], out: &mut [f64]) {
+        for (out, row) in out.iter_mut().zip(self.inverse.chunks_exact(e.len())) {
+            *out = inner(row, e);
+        }
+    }
+
+    /// Sets the inverse of A, m/N, row by row.
+    pub(crate) fn set_response(&mut self, inverse: &[f64]) {
+        self.inverse.copy_from_slice(inverse);
+    }
+
     /// Sets the excitation of a step. Precedes [`PantographState::predict`].
     pub fn set_excitation(&mut self, now: &ExcitationNow) {
         self.excitation.set(now);
@@ -122,6 +143,14 @@ impl PantographState {
     /// Finds the increment Δu without contact forces and forces of breakpoints, with the speed at
     /// the time of balance, m/s.
     pub fn predict(&mut self, c: &Coefficients, speed: f64) {
+        if self.model.is_external {
+            let free = self.external.free.iter().zip(&self.u);
+            for (delta, (free, u)) in self.delta.iter_mut().zip(free) {
+                *delta = free - u;
+            }
+            self.predicted.copy_from_slice(&self.delta);
+            return;
+        }
         let n = self.model.size();
         let r = &self.model;
         for i in 0..n {

@@ -1,6 +1,6 @@
 //! Session: a line stepped from outside, one step for each call, with nothing allocated in it.
 //!
-//! Two kinds of session, one [step](crate::simulation::step), that of every run:
+//! Three kinds of session, one [step](crate::simulation::step), that of every run:
 //!
 //! * **forces given** — a real pantograph presses against the simulated wire and its force is
 //!   measured. The force F of collector j, at the position x of the collector at the time of
@@ -13,6 +13,10 @@
 //! * **pantographs simulated** — the input is the force of each pantograph's
 //!   [actuator](crate::pantograph::actuator), the outputs are contact forces and the motion of the
 //!   pantographs.
+//! * **strips given** — a program outside moves the strips of
+//!   [external pantographs](crate::pantograph::external). The input of a step are their heights z₀
+//!   at its end without contact and the compliance S of the step, the outputs are contact forces
+//!   and the heights that they lead to.
 //!
 //! Inputs are measured when the step begins and act during the whole step. Outputs belong to the
 //! end of the step, except contact forces, which belong to its time of balance.
@@ -95,7 +99,7 @@ const POSITION_AND_SPEED: &str = "loop_position_speed";
 impl<const DIM: usize, const D: usize> Session<DIM, D> {
     /// Takes a step that ends at `position` (m) with `speed` (m/s). `forces` in N act during the
     /// step: one for each collector where forces are given, else one for the actuator of each
-    /// pantograph.
+    /// pantograph. Where strips are given, see [`Session::step_strips`].
     ///
     /// Nothing is allocated unless the step fails, or more links are slack than
     /// [`RESERVED_ROWS`](crate::session::start::RESERVED_ROWS) allows for. After a failure the
@@ -104,7 +108,63 @@ impl<const DIM: usize, const D: usize> Session<DIM, D> {
     /// # Errors
     /// [`CoreError::Input`], or any [`CoreError`] that a step can raise.
     pub fn step(&mut self, forces: &[f64], position: f64, speed: f64) -> Result<(), CoreError> {
+        if self.has_strips() {
+            let reason = "where strips are given, heights and compliances move them";
+            return Err(CoreError::invalid("forces", reason));
+        }
         self.check_inputs(forces, position, speed)?;
+        self.take_step(forces, position, speed)
+    }
+
+    /// Takes a step that ends at `position` (m) with `speed` (m/s), where strips are given.
+    /// `heights` are those of all coordinates of all pantographs at the end of the step if nothing
+    /// presses during it, above the rail, m; `compliance` has the matrix of each pantograph, m/N,
+    /// row by row, one after the other. Zeros hold the strips at their heights.
+    ///
+    /// Allocations and failures as in [`Session::step`].
+    ///
+    /// # Errors
+    /// [`CoreError::Input`], or any [`CoreError`] that a step can raise.
+    pub fn step_strips(
+        &mut self,
+        heights: &[f64],
+        compliance: &[f64],
+        position: f64,
+        speed: f64,
+    ) -> Result<(), CoreError> {
+        if !position.is_finite() || !speed.is_finite() {
+            return Err(CoreError::invalid("position", "not finite"));
+        }
+        let sizes = self.model.pantographs.iter().map(Pantograph::size);
+        let counts = [heights.len(), compliance.len()];
+        let expected = sizes.fold([0, 0], |[n, squares], size| {
+            [n + size, squares + size * size]
+        });
+        if !self.has_strips() || counts != expected {
+            let reason = format!("{counts:?} heights and compliances, expected {expected:?}");
+            return Err(CoreError::invalid("strips", reason));
+        }
+        let (mut heights, mut compliance) = (heights, compliance);
+        for number in 0..self.model.pantographs.len() {
+            let size = self.model.pantographs[number].size();
+            let (own, others) = heights.split_at(size);
+            let (matrix, other_matrices) = compliance.split_at(size * size);
+            let set = self.state.motion.set_external(number, own, matrix);
+            set.map_err(|reason| {
+                CoreError::invalid("strips", format!("pantograph {number}: {reason}"))
+            })?;
+            (heights, compliance) = (others, other_matrices);
+        }
+        self.take_step(&[], position, speed)
+    }
+
+    /// Whether strips are given.
+    fn has_strips(&self) -> bool {
+        self.model.pantographs.iter().any(|p| p.is_external)
+    }
+
+    /// Takes a step with checked inputs.
+    fn take_step(&mut self, forces: &[f64], position: f64, speed: f64) -> Result<(), CoreError> {
         let old = self.model.line.coefficients.old;
         let at_balance = |before: f64, after: f64| (1.0 - old) * after + old * before;
         let positions = [self.position, at_balance(self.position, position), position];
@@ -157,9 +217,12 @@ impl<const DIM: usize, const D: usize> Session<DIM, D> {
         (self.position, self.speed)
     }
 
-    /// Number of forces that a step needs.
+    /// Number of forces that a step needs; zero where strips are given.
     #[must_use]
     pub fn inputs(&self) -> usize {
+        if self.has_strips() {
+            return 0;
+        }
         self.collectors.all.len().max(self.model.pantographs.len())
     }
 

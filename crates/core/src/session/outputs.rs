@@ -26,11 +26,18 @@ pub struct Outputs {
     pub displacement: Vec<f64>,
     /// Velocities of all coordinates of all pantographs, m/s.
     pub velocity: Vec<f64>,
+    /// Heights of all coordinates of external pantographs, m; empty where there are none.
+    pub strip_height: Vec<f64>,
 }
 
 impl Outputs {
-    /// Zeros for `count` contacts or collectors and `coordinates` of pantographs.
-    pub(crate) fn new(contacts: Vec<[usize; 3]>, count: usize, coordinates: usize) -> Self {
+    /// Zeros for `count` contacts or collectors and `coordinates` of pantographs, of which
+    /// `external` are heights of external ones.
+    pub(crate) fn new(
+        contacts: Vec<[usize; 3]>,
+        count: usize,
+        (coordinates, external): (usize, usize),
+    ) -> Self {
         let zero = vec![0.0; count];
         Self {
             contacts,
@@ -40,6 +47,7 @@ impl Outputs {
             rate: zero,
             displacement: vec![0.0; coordinates],
             velocity: vec![0.0; coordinates],
+            strip_height: vec![0.0; external],
         }
     }
 
@@ -90,6 +98,10 @@ impl Outputs {
             .flat_map(|pantograph| &pantograph.v);
         let outputs = self.velocity.iter_mut().zip(velocities);
         outputs.for_each(|(output, new)| *output = *new);
+        let external = motion.pantographs.iter().filter(|p| p.model.is_external);
+        let heights = external.flat_map(|pantograph| &pantograph.u);
+        let outputs = self.strip_height.iter_mut().zip(heights);
+        outputs.for_each(|(output, u)| *output = motion.datum + u);
         let numbers = self.force.iter().chain(&self.displacement);
         if is_finite && numbers.chain(&self.velocity).all(|v| v.is_finite()) {
             return Ok(());

@@ -74,7 +74,7 @@ impl<const DIM: usize, const D: usize> Session<DIM, D> {
             .reserve(links * points.len());
         let loads = forces.iter().map(|_| empty_load::<DIM, D>(links));
         Self {
-            outputs: Outputs::new(Vec::new(), points.len(), 0),
+            outputs: Outputs::new(Vec::new(), points.len(), (0, 0)),
             collectors: Collectors {
                 all: collectors,
                 points,
@@ -102,9 +102,9 @@ impl<const DIM: usize, const D: usize> Session<DIM, D> {
         distances: Vec<f64>,
         start: SessionStart,
     ) -> Result<Self, CoreError> {
-        check(&line, &start)?;
-        if pantographs.is_empty() || distances.len() != pantographs.len() {
-            let reason = "none, or not one distance for each";
+        check_pantographs(&pantographs, &distances)?;
+        if pantographs.iter().any(|p| p.is_external) {
+            let reason = "an external one, whose strips are given";
             return Err(CoreError::invalid("pantographs", reason));
         }
         let is_excited =
@@ -117,7 +117,40 @@ impl<const DIM: usize, const D: usize> Session<DIM, D> {
             let reason = "an actuator that is not asked in every step";
             return Err(CoreError::invalid("pantographs", reason));
         }
-        let coordinates = pantographs.iter().map(Pantograph::size).sum();
+        Self::on_pantographs(line, (pantographs, distances), start)
+    }
+
+    /// Session with given strips: those of [external](Pantograph::external) pantographs, which
+    /// follow the first at `distances` (m). The line is in equilibrium under their forces at the
+    /// start, the strips are where it is.
+    ///
+    /// # Errors
+    /// [`CoreError::Input`]: a pantograph that is not external, or updated kinematics; or any error
+    /// of the start of a run.
+    pub fn with_strips(
+        line: Arc<WireModel<DIM, D>>,
+        pantographs: Vec<Pantograph>,
+        distances: Vec<f64>,
+        start: SessionStart,
+    ) -> Result<Self, CoreError> {
+        check_pantographs(&pantographs, &distances)?;
+        if !pantographs.iter().all(|p| p.is_external) {
+            let reason = "one that is not external";
+            return Err(CoreError::invalid("pantographs", reason));
+        }
+        Self::on_pantographs(line, (pantographs, distances), start)
+    }
+
+    fn on_pantographs(
+        line: Arc<WireModel<DIM, D>>,
+        (pantographs, distances): (Vec<Pantograph>, Vec<f64>),
+        start: SessionStart,
+    ) -> Result<Self, CoreError> {
+        check(&line, &start)?;
+        let sizes = || pantographs.iter().map(|p| (p.size(), p.is_external));
+        let coordinates = sizes().map(|(size, _)| size).sum();
+        let external = sizes().filter(|(_, is_external)| *is_external);
+        let external = external.map(|(size, _)| size).sum();
         let model = OwnedModel {
             friction: start.friction,
             line,
@@ -138,7 +171,7 @@ impl<const DIM: usize, const D: usize> Session<DIM, D> {
             collectors: Collectors::default(),
             position: start.position,
             speed: start.speed,
-            outputs: Outputs::new(contacts.clone(), contacts.len(), coordinates),
+            outputs: Outputs::new(contacts.clone(), contacts.len(), (coordinates, external)),
             state,
             model,
         }
@@ -162,6 +195,14 @@ impl<const DIM: usize, const D: usize> Session<DIM, D> {
         self.read_outputs()?;
         Ok(self)
     }
+}
+
+fn check_pantographs(pantographs: &[Pantograph], distances: &[f64]) -> Result<(), CoreError> {
+    if !pantographs.is_empty() && distances.len() == pantographs.len() {
+        return Ok(());
+    }
+    let reason = "none, or not one distance for each";
+    Err(CoreError::invalid("pantographs", reason))
 }
 
 fn check<const DIM: usize, const D: usize>(

@@ -1,6 +1,7 @@
 //! A run: model, state, and the step between two states.
 
 pub(crate) mod control;
+pub(crate) mod external;
 pub(crate) mod initial_equilibrium;
 pub mod inputs;
 pub(crate) mod load_sharing;

@@ -9,13 +9,15 @@ use crate::checkpoint::{Checkpoint, refuse};
 use crate::error::CoreError;
 use crate::integrator::wire_model::WireModel;
 use crate::pantograph::actuator::{Controller, Sample};
+use crate::pantograph::external::{Nobody, Outside};
 use crate::pantograph::model::Pantograph;
+use crate::simulation::external::ExternalPantographs;
 use crate::simulation::inputs::{Histories, Trajectory};
 use crate::simulation::model::Model;
 use crate::simulation::recording::record::{Record, RecordPlan};
 use crate::simulation::recording::recorder::Recorder;
 use crate::simulation::state::State;
-use crate::simulation::step::step;
+use crate::simulation::step::{complete, solve};
 
 /// Range of steps to do.
 #[derive(Debug, Clone, Copy, Default)]
@@ -35,6 +37,8 @@ pub struct Callbacks<'a> {
     pub observe: &'a mut dyn FnMut(usize) -> bool,
     /// Controller that returns the forces of actuators, N.
     pub ask: Controller<'a>,
+    /// Program that moves the external pantographs.
+    pub outside: &'a mut dyn Outside,
     /// Sink of the series, and the number of values from which they are passed to it; `None` leaves
     /// them in the record.
     pub take: Option<(usize, Sink<'a>)>,
@@ -132,7 +136,12 @@ impl<const DIM: usize, const D: usize> WireModel<DIM, D> {
             trajectory,
             plan,
             part,
-            Callbacks { observe, ask, take },
+            Callbacks {
+                observe,
+                ask,
+                outside: &mut Nobody,
+                take,
+            },
         )
     }
 
@@ -172,6 +181,15 @@ impl<const DIM: usize, const D: usize> WireModel<DIM, D> {
         };
         let mut state = State::start_or_resume(&model, trajectory, plan, part.from)?;
         let mut histories = Histories::new(trajectory, pantographs);
+        let mut external = ExternalPantographs::new(&model);
+        if !external.is_empty() {
+            if part.from.is_some() {
+                let reason = "is of a run with an external pantograph, whose state is outside";
+                return Err(refuse("step", reason));
+            }
+            let at_start = (trajectory.positions[0], trajectory.speeds[0]);
+            external.begin(&model, &mut state.motion, at_start, callbacks.outside)?;
+        }
         for number in steps {
             let is_due = number.is_multiple_of(OBSERVE_EVERY);
             if is_due {
@@ -179,8 +197,11 @@ impl<const DIM: usize, const D: usize> WireModel<DIM, D> {
             }
             let at_start = (trajectory.positions[number], trajectory.speeds[number]);
             state.motion.control(&model, at_start, callbacks.ask)?;
+            external.predict(&model, &mut state.motion, at_start, callbacks.outside)?;
             let inputs = histories.at(number, self.coefficients.old);
-            step(&model, &inputs, &mut state)?;
+            let stats = solve(&model, &inputs, &mut state)?;
+            external.advance(&model, &mut state.motion, at_start, callbacks.outside)?;
+            complete(&model, &inputs, &mut state, &stats)?;
             if is_due {
                 state.sleep_passed(&model, trajectory.positions[number + 1]);
             }

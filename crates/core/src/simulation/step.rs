@@ -1,6 +1,7 @@
 //! Step of line and pantographs.
 
 use crate::error::CoreError;
+use crate::lcp::LcpStats;
 use crate::linalg::small::inner;
 use crate::simulation::inputs::Inputs;
 use crate::simulation::model::Model;
@@ -19,6 +20,19 @@ pub fn step<const DIM: usize, const D: usize>(
     inputs: &Inputs<'_>,
     state: &mut State<DIM, D>,
 ) -> Result<(), CoreError> {
+    let stats = solve(model, inputs, state)?;
+    complete(model, inputs, state, &stats)
+}
+
+/// Finds the increments of a step and its forces.
+///
+/// # Errors
+/// As [`step`].
+pub(crate) fn solve<const DIM: usize, const D: usize>(
+    model: &Model<'_, DIM, D>,
+    inputs: &Inputs<'_>,
+    state: &mut State<DIM, D>,
+) -> Result<LcpStats, CoreError> {
     // With updated kinematics: coordinates, forces and stiffness at the current position.
     if let Some(current_geometry) = &mut state.current_geometry {
         current_geometry.reform(&mut state.motion.wires, state.motion.steps)?;
@@ -35,7 +49,20 @@ pub fn step<const DIM: usize, const D: usize>(
 
     // Contacts, slack links, stops and breakpoints together: one complementarity problem.
     let stats = state.solve_constraints(model)?;
+    state.motion.sum_external_loads();
+    Ok(stats)
+}
 
+/// Records the step and moves the state to its end.
+///
+/// # Errors
+/// [`CoreError::Balance`], [`CoreError::NotFinite`].
+pub(crate) fn complete<const DIM: usize, const D: usize>(
+    model: &Model<'_, DIM, D>,
+    inputs: &Inputs<'_>,
+    state: &mut State<DIM, D>,
+    stats: &LcpStats,
+) -> Result<(), CoreError> {
     let State {
         current_geometry,
         motion,
@@ -43,7 +70,7 @@ pub fn step<const DIM: usize, const D: usize>(
     } = state;
     let current = model.with_geometry(current_geometry.as_deref());
     match recorder {
-        Some(recorder) => recorder.take(&current, inputs, motion, &stats),
+        Some(recorder) => recorder.take(&current, inputs, motion, stats),
         None => {
             motion.commit(&current);
             motion.check_sound()
@@ -126,7 +153,11 @@ impl<const DIM: usize, const D: usize> Motion<DIM, D> {
     pub(crate) fn commit(&mut self, model: &Model<'_, DIM, D>) {
         model.wires.commit(&mut self.wires);
         for pantograph in &mut self.pantographs {
-            pantograph.commit(&model.wires.coefficients);
+            if pantograph.model.is_external {
+                pantograph.commit_external(model.wires.h);
+            } else {
+                pantograph.commit(&model.wires.coefficients);
+            }
         }
         self.steps += 1;
     }

@@ -218,6 +218,7 @@ pub fn three_masses(force: f64) -> Pantograph {
         stops: Vec::new(),
         piecewise_forces: Vec::new(),
         actuator: None,
+        is_external: false,
     }
 }
 
@@ -366,6 +367,7 @@ pub fn free_mass(mass: f64, force: f64) -> Pantograph {
         stops: Vec::new(),
         piecewise_forces: Vec::new(),
         actuator: None,
+        is_external: false,
     }
 }
 

@@ -24,6 +24,7 @@ pub fn pantograph(feed: &mut Feed<'_>, instants: usize) -> Pantograph {
         stops: Vec::new(),
         piecewise_forces: Vec::new(),
         actuator: None,
+        is_external: false,
     };
     let extras = feed.byte();
     if extras & 1 != 0 {

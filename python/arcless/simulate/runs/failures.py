@@ -147,6 +147,12 @@ def translated(
         return _unsolved(mesh, pantographs, details)
     if kind in BESIDE:
         return _beside_the_wire(pantographs, kind, details)
+    if kind == "external":
+        return ContactError(
+            f"the program that moves pantograph {pantographs[details['pantograph']]} failed",
+            where=f"t = {details['time']:.6g} s, {details['position']:.2f} m",
+            got=details["reason"],
+        )
     if (kind, details.get("array")) == ("input", "state"):
         return ResultFormatError("the state in the result does not fit this run", got=message)
     if kind == "balance" or kind in STEPS:

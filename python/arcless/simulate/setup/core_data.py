@@ -1,9 +1,13 @@
 """Data that the core reads by the names of their fields. SI units."""
 
 from collections.abc import Sequence
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
 
 Numbers = Sequence[float]
+Floats = NDArray[np.float64]
 
 
 class StripData(NamedTuple):
@@ -80,8 +84,46 @@ class ActuatorData(NamedTuple):
     """Controller that is asked; None where every step brings its force."""
 
 
+class ExternalPantograph(Protocol):
+    """A program that moves the strips of a pantograph during a run.
+
+    One height for each coordinate that the vectors of its strips combine: of a plain strip, its
+    own. Heights are those above the rail, as the contact wire's, in m. An exception ends the run
+    and reaches the caller.
+    """
+
+    def begin(self, heights: Floats, forces: Floats) -> None:
+        """Receive heights in m and contact forces in N of the equilibrium at the start."""
+
+    def predict(
+        self, step: int, time: float, position: float, speed: float
+    ) -> tuple[Numbers, Sequence[Numbers]]:
+        """Return the heights at the end of a step without contact, and the compliance of the step.
+
+        Parameters
+        ----------
+        step
+            Number of the step, from 0.
+        time, position, speed
+            Those of the pantograph at the start of the step, in s, m, m/s.
+
+        Returns
+        -------
+        Heights z₀ at the end of the step if no contact force acts in it, m; and rows of the matrix
+        S, m/N, by which constant contact forces λ lower them, z₀ − S λ: symmetric, not negative.
+        """
+        ...
+
+    def advance(self, forces: Floats) -> Numbers:
+        """Take the step under contact forces in N; return the heights at its end in m."""
+        ...
+
+
 class PantographData(NamedTuple):
-    """A pantograph: matrices by rows, and what acts on its coordinates."""
+    """A pantograph: matrices by rows, and what acts on its coordinates.
+
+    Of an external one, `strips` and `start_force` count; all other numbers are empty.
+    """
 
     mass: Numbers
     damping: Numbers
@@ -97,6 +139,8 @@ class PantographData(NamedTuple):
     stops: Sequence[BumpStopData] = ()
     piecewise_forces: Sequence[PiecewiseForceData] = ()
     actuator: ActuatorData | None = None
+    external: ExternalPantograph | None = None
+    """Program that moves it; None where it is simulated."""
 
 
 class LoadData(NamedTuple):

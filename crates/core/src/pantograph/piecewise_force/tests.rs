@@ -107,6 +107,7 @@ fn random_pantograph(random: &mut Random) -> Pantograph {
         },
         stops: Vec::new(),
         actuator: None,
+        is_external: false,
     }
 }
 
