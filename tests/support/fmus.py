@@ -87,11 +87,12 @@ def description(
     can = str(keeps_state).lower()
     kinds = {unit: UNITS.get(unit, "") for row in variables for unit in [row[3]]}
     kinds |= {unit: UNITS.get(unit, "K") for unit in units.values() if unit is not None}
+    defined_units = "".join(_unit(*each, defined=defined) for each in kinds.items())
     return f"""<?xml version="1.0" encoding="UTF-8"?>
-<fmiModelDescription fmiVersion="{"2.0" if fmi == 2 else "3.0"}" modelName="pantograph" {token}="{TOKEN}">
+<fmiModelDescription fmiVersion="{fmi}.0" modelName="pantograph" {token}="{TOKEN}">
   <CoSimulation modelIdentifier="pantograph" canGetAndSet{state}="{can}" canSerialize{state}="{can}"
     {attributes}/>
-  <UnitDefinitions>{"".join(_unit(*each, defined=defined) for each in kinds.items())}</UnitDefinitions>
+  <UnitDefinitions>{defined_units}</UnitDefinitions>
   <ModelVariables>{"".join(rows)}</ModelVariables>
   <ModelStructure/>
 </fmiModelDescription>

@@ -11,6 +11,7 @@ from typing import Any
 from arcless.model import Scenario
 from arcless.model.load import check_kind
 from arcless.results import Result
+from arcless.simulate.fmu.in_runs import check_saved
 from arcless.simulate.runs import checkpoint
 from arcless.simulate.runs.job import SEARCHING, Cancel, Job, Progress, lay_out, observer
 from arcless.simulate.runs.mean_force import find_forces
@@ -86,6 +87,7 @@ def run(
     decided = Controllers(scenario, controllers)
     if until is not None:
         decided.check_saved()
+        check_saved(scenario)
     _check_starts(scenario)
     tell = progress or (lambda _fraction, _text: None)
     started = time.perf_counter()

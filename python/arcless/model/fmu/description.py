@@ -101,8 +101,6 @@ class FmuDescription:
         Platforms for which it has a library, as FMI names their folders.
     keeps_state
         True where its state can be saved and restored.
-    serialises_state
-        True where a saved state can be written as bytes.
     needs_tool
         True where it only connects to another program.
     internal_step_s
@@ -116,7 +114,6 @@ class FmuDescription:
     variables: dict[str, FmuVariable]
     platforms: tuple[str, ...]
     keeps_state: bool
-    serialises_state: bool
     needs_tool: bool
     internal_step_s: float | None
 
@@ -178,7 +175,6 @@ def read_description(file: Path) -> FmuDescription:
         variables={one.name: one for one in _variables(root, file)},
         platforms=_platforms(names, model),
         keeps_state=_true(kind, f"canGetAndSet{of_state}"),
-        serialises_state=_true(kind, f"canSerialize{of_state}"),
         needs_tool=_true(kind, "needsExecutionTool"),
         internal_step_s=None if internal is None else _number(internal, file),
     )

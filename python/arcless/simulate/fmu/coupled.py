@@ -15,6 +15,7 @@ from arcless.model.fmu.mapping import ROLES, PantographFmu
 from arcless.simulate.fmu import fmu_process
 from arcless.simulate.fmu.heights import ExtrapolatedHeights, MeasuredHeights
 from arcless.simulate.fmu.process import FmuProcess
+from arcless.units import plain
 
 Floats = NDArray[np.float64]
 # Inputs that are given with each step, in the order in which they are sent.
@@ -24,8 +25,8 @@ _MULTIPLE = 1e-6
 
 
 @dataclass(frozen=True)
-class FmuStart:
-    """Start of an FMU in a run.
+class FmuPlace:
+    """Place of an FMU in a run.
 
     Attributes
     ----------
@@ -34,23 +35,17 @@ class FmuStart:
     step_s
         Time step in s.
     static_force
-        Static force in N, which the strips share at the start.
-    height
-        Height of the wire above the rails at the start in m.
-    inputs
-        Value of each of `INPUTS` at the start, SI.
+        Static force in N.
     """
 
     name: str
     field: str
     step_s: float
     static_force: float
-    height: float
-    inputs: dict[str, float]
 
 
 class CoupledFmu:
-    """An FMU in a run.
+    """An FMU in a run: its process runs from the start, it is loaded when the run begins.
 
     Attributes
     ----------
@@ -62,14 +57,14 @@ class CoupledFmu:
     Raises
     ------
     FmuError, ModelError
-        It cannot be loaded, or is not what the model says.
+        It is not what the model says.
     """
 
-    def __init__(self, fmu: PantographFmu, start: FmuStart) -> None:
-        self._fmu, self._start = fmu, start
-        self._forces = np.full(fmu.strips, start.static_force / fmu.strips)
-        self._where = f"pantograph {start.name}, t = 0 s"
+    def __init__(self, fmu: PantographFmu, place: FmuPlace) -> None:
+        self._fmu, self._place = fmu, place
+        self._where = f"pantograph {place.name}, t = 0 s"
         self.largest_miss, self.steps, self.wall_s = 0.0, 0, 0.0
+        self._imbalance: float | None = None
         self._process = FmuProcess(Path(fmu.file), fmu.time_limit)
         try:
             self._description = self._checked()
@@ -77,42 +72,48 @@ class CoupledFmu:
             self._to_fmu = self._factors(self._used)
             self._force_unit = self._factors(["contact_force"])
             self._height_unit = self._factors(["strip_height"])
-            loaded = self._guarded(lambda: self._process.load(self._loading()))
-            self._datum = self._heights(np.array(loaded))
         except BaseException:
             self.close()
             raise
-        self._now = np.zeros(fmu.strips)
-        self._inputs = start.inputs
-        self._step = 0
-        self._expected = self._rise = self._now
-        self._strips = self._strip_law()
 
-    def _strip_law(self) -> MeasuredHeights | ExtrapolatedHeights:
+    @property
+    def step_s(self) -> float:
+        """Time step in s."""
+        return self._place.step_s
+
+    def begin(self, heights: Floats, forces: Floats, inputs: dict[str, float]) -> None:
+        """Load and initialise the FMU at the start of a run.
+
+        Parameters
+        ----------
+        heights
+            Heights of the strips above the rails, m.
+        forces
+            Their contact forces, N.
+        inputs
+            Values of `INPUTS`, SI.
+
+        Raises
+        ------
+        FmuError
+            It cannot be loaded.
+        """
+        self._forces, self._step, self._inputs = forces, 0, inputs
+        given = self._loading(float(heights.mean()))
+        loaded = self._guarded(lambda: self._heights(np.array(self._process.load(given))))
+        self._begun = heights
+        # Heights of the FMU count from any level; the run begins with the strips at the wire.
+        self._level = heights - loaded
         if self._fmu.strip_mass is None:
-            return MeasuredHeights(self._trial)
-        yielding = self._start.step_s**2 / (2.0 * self._fmu.strip_mass)
-        return ExtrapolatedHeights(yielding, self._now, self._forces)
-
-    @property
-    def sha256(self) -> str:
-        """SHA-256 of the file that runs."""
-        return self._sha256
-
-    @property
-    def version(self) -> int:
-        """Version of FMI."""
-        return self._description.version
-
-    @property
-    def measured(self) -> int:
-        """Number of steps in which the compliance was measured."""
-        return self._strips.measured
+            self._strips: MeasuredHeights | ExtrapolatedHeights = MeasuredHeights(self._trial)
+        else:
+            yielding = self._place.step_s**2 / (2.0 * self._fmu.strip_mass)
+            self._strips = ExtrapolatedHeights(yielding, heights, forces)
 
     def predict(
         self, step: int, position: float, inputs: dict[str, float]
     ) -> tuple[Floats, Floats]:
-        """Return the heights of the strips without contact force, and their compliance.
+        """Return the heights of the strips above the rails without contact force, and compliance.
 
         Parameters
         ----------
@@ -126,22 +127,24 @@ class CoupledFmu:
         Returns
         -------
         tuple of array
-            Displacement of each strip since the start in m, and compliance in m/N; see `heights`.
+            Heights at the end of the step in m, and compliance in m/N; see `heights`.
 
         Raises
         ------
         FmuError
             The FMU failed, crashed, hangs, or gave no number.
         """
-        at = step * self._start.step_s
-        self._where = f"pantograph {self._start.name}, t = {at:.6g} s, {position:.2f} m"
+        at = step * self._place.step_s
+        self._where = f"pantograph {self._place.name}, t = {at:.6g} s, {position:.2f} m"
         self._step, self._inputs = step, inputs
         free, compliance = self._guarded(lambda: self._strips.predict(self._forces))
         self._free, self._compliance = free, compliance
+        if self._imbalance is None:
+            self._imbalance = self._left_over()
         return free, compliance
 
     def advance(self, forces: Floats) -> Floats:
-        """Take the step with the contact forces in N; return the displacements reached in m.
+        """Take the step with the contact forces in N; return the heights reached in m.
 
         Raises
         ------
@@ -152,12 +155,20 @@ class CoupledFmu:
         rise = self._compliance @ self._forces
         expected = self._free - rise
         content = self._request(self._forces[None, :])
-        found = self._guarded(lambda: self._asked(fmu_process.ADVANCE, content))
-        self._now = self._heights(found) - self._datum
-        self.largest_miss = max(self.largest_miss, float(np.max(np.abs(self._now - expected))))
-        self._strips.reached(self._now, expected, rise)
+        reached: Floats = self._guarded(lambda: self._asked(fmu_process.ADVANCE, content))[0]
+        self.largest_miss = max(self.largest_miss, float(np.max(np.abs(reached - expected))))
+        self._strips.reached(reached, expected, rise)
         self.steps += 1
-        return self._now
+        return reached
+
+    def _left_over(self) -> float:
+        """Return the force in N that is left on the strips at the start: S⁻¹ of their first rise.
+
+        Without a compliance it is not known, and 0.
+        """
+        rise = self._free - self._compliance @ self._forces - self._begun
+        stiffness = np.linalg.pinv(self._compliance, rcond=1e-9, hermitian=True)
+        return float(np.sum(stiffness @ rise))
 
     def close(self) -> None:
         """End the process."""
@@ -168,10 +179,11 @@ class CoupledFmu:
         return {
             "file": self._fmu.file,
             "sha256": self._sha256,
-            "fmi_version": self.version,
+            "fmi_version": self._description.version,
             "steps": self.steps,
-            "compliance_measured": self.measured,
+            "compliance_measured": self._strips.measured,
             "largest_height_difference_m": self.largest_miss,
+            "start_imbalance_N": self._imbalance or 0.0,
             "wall_time_s": self.wall_s,
         }
 
@@ -180,19 +192,19 @@ class CoupledFmu:
         try:
             description = checked(self._fmu, self._process.file)
         except ModelError as error:
-            error.where = f"{self._start.field}.{'.'.join(str(part) for part in error.field)}"
+            error.where = f"{self._place.field}.{'.'.join(str(part) for part in error.field)}"
             raise
         self._sha256 = digest_of(self._process.file)
         internal = description.internal_step_s
         if internal:
-            ratio = self._start.step_s / internal
+            ratio = self._place.step_s / internal
             if round(ratio) < 1 or abs(ratio - round(ratio)) > _MULTIPLE * ratio:
                 raise ModelError(
                     "a time step that the FMU cannot take",
                     where="solver.time_step",
-                    got=f"{1e3 * self._start.step_s:g} ms",
+                    got=f"{1e3 * self._place.step_s:g} ms",
                     expected=f"a multiple of {1e3 * internal:g} ms, the internal step of the FMU"
-                    f" of {self._start.name}",
+                    f" of {self._place.name}",
                 )
         return description
 
@@ -209,10 +221,10 @@ class CoupledFmu:
     def _references(self, names: list[str]) -> list[int]:
         return [self._description.variables[name].reference for name in names]
 
-    def _loading(self) -> dict[str, Any]:
-        """Return what the process needs to load the FMU."""
-        fmu, start, known = self._fmu, self._start, self._description
-        given = {"static_force": start.static_force, "start_height": start.height}
+    def _loading(self, height: float) -> dict[str, Any]:
+        """Return what the process needs to load the FMU, at a height of its strips in m."""
+        fmu, place, known = self._fmu, self._place, self._description
+        given = {"static_force": place.static_force, "start_height": height}
         names, values = list(fmu.parameters), list(fmu.parameters.values())
         for role, value in given.items():
             name = getattr(fmu, role)
@@ -224,12 +236,12 @@ class CoupledFmu:
             "version": known.version,
             "model": known.model,
             "token": known.token,
-            "name": start.name,
+            "name": place.name,
             "start": [self._references(names), values],
             "inputs": self._references([getattr(fmu, name) for name in self._used]),
             "forces": self._references(list(fmu.contact_force)),
             "heights": self._references(list(fmu.strip_height)),
-            "first": [*self._sent(start.inputs), *forces.tolist()],
+            "first": [*self._sent(self._inputs), *forces.tolist()],
         }
 
     def _sent(self, inputs: dict[str, float]) -> list[float]:
@@ -239,19 +251,23 @@ class CoupledFmu:
 
     def _request(self, forces: Floats) -> bytes:
         """Return a step with rows of forces in N as the process reads it."""
-        start = self._step * self._start.step_s
+        step_s = self._place.step_s
         rows = (forces / self._force_unit).ravel().tolist()
-        return fmu_process.packed([start, self._start.step_s, *self._sent(self._inputs), *rows])
+        sent = self._sent(self._inputs)
+        return fmu_process.packed([self._step * step_s, step_s, *sent, *rows])
 
     def _trial(self, forces: Floats) -> Floats:
         found = self._asked(fmu_process.PREDICT, self._request(forces))
-        return self._heights(found.reshape(forces.shape)) - self._datum
+        return found.reshape(forces.shape)
 
     def _asked(self, kind: bytes, content: bytes) -> Floats:
+        """Return heights above the rails in m, row by row."""
         began = time.perf_counter()
         answer = fmu_process.doubles(self._process.ask(kind, content))
         self.wall_s += time.perf_counter() - began
-        return np.array(answer)
+        found = np.array(answer).reshape(-1, self._fmu.strips)
+        heights: Floats = self._heights(found) + self._level
+        return heights
 
     def _heights(self, found: Floats) -> Floats:
         """Return heights in m, given in the units of the FMU.
@@ -261,12 +277,12 @@ class CoupledFmu:
         FmuError
             One of them is no finite number.
         """
-        for name, value in zip(self._fmu.strip_height, found.T, strict=True):
+        for name, value in zip(self._fmu.strip_height, np.atleast_2d(found).T, strict=True):
             if not np.isfinite(value).all():
                 raise FmuError(
                     "the FMU gave no number",
                     where=self._where,
-                    got=f"{name} = {np.atleast_1d(value)[0]:g}",
+                    got=f"{plain(name)} = {value[~np.isfinite(value)][0]:g}",
                     expected="a finite height",
                 )
         return found * self._height_unit

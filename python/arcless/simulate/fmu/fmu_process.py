@@ -9,10 +9,9 @@ quarter of a second. Requests come on standard input, answers go to standard out
     L  load            JSON: see `Fmu`                           heights at the start
     P  predict         time, step, inputs, forces of each trial  heights after each trial
     A  advance         time, step, inputs, forces                heights after the step
-    S  save                                                      the state as bytes
-    R  restore         such bytes
 
-Numbers are doubles in the units of the FMU. An answer has the kind `=`; one of the kind `!` is what
+The first frame is an answer that nobody asked for: ready. Numbers are doubles in the units of the
+FMU. An answer has the kind `=`; one of the kind `!` is what
 failed, as JSON. What the FMU prints goes to standard error.
 """
 
@@ -28,16 +27,21 @@ from typing import Any, BinaryIO
 
 HEAD = struct.Struct("<cI")
 DONE, FAILED = b"=", b"!"
-LOAD, PREDICT, ADVANCE, SAVE, RESTORE = b"L", b"P", b"A", b"S", b"R"
+LOAD, PREDICT, ADVANCE = b"L", b"P", b"A"
 _FMI_2 = 2
 # Interval in s between two looks whether Arcless is still there: a process that hangs in a library
 # hears nothing of a closed pipe.
 _LOOK_EVERY_S = 1.0
 
 
+def frame(kind: bytes, content: bytes) -> bytes:
+    """Return a frame."""
+    return HEAD.pack(kind, len(content)) + content
+
+
 def write_frame(to: BinaryIO, kind: bytes, content: bytes) -> None:
     """Write a frame at once."""
-    to.write(HEAD.pack(kind, len(content)) + content)
+    to.write(frame(kind, content))
     to.flush()
 
 
@@ -94,14 +98,11 @@ class Fmu:
             "unzipDirectory": given["folder"],
             "instanceName": given["name"],
         }
-        if self._is_2:
-            from fmpy.fmi2 import FMU2Slave
+        import fmpy.fmi2
+        import fmpy.fmi3
 
-            fmu = FMU2Slave(**names)
-        else:
-            from fmpy.fmi3 import FMU3Slave
-
-            fmu = FMU3Slave(**names)
+        kind = fmpy.fmi2.FMU2Slave if self._is_2 else fmpy.fmi3.FMU3Slave
+        fmu = kind(**names)
         fmu.instantiate()
         return fmu
 
@@ -180,19 +181,6 @@ class Fmu:
     def _restore(self) -> None:
         self._call("SetFMUstate" if self._is_2 else "SetFMUState", self._state)
 
-    def state(self) -> bytes:
-        """Return the state as bytes."""
-        self._save()
-        found: bytes = self._fmu.serializeFMUState(self._state)
-        return found
-
-    def put_back(self, state: bytes) -> None:
-        """Restore a state from bytes."""
-        read = self._fmu.deSerializeFMUstate if self._is_2 else self._fmu.deserializeFMUState
-        saved = read(state)
-        self._call("SetFMUstate" if self._is_2 else "SetFMUState", saved)
-        self._fmu.freeFMUState(saved)
-
 
 def main() -> None:
     """Answer until Arcless closes the pipe or is gone."""
@@ -203,34 +191,28 @@ def main() -> None:
     # Text that a library prints must not get between the frames.
     os.dup2(sys.stderr.fileno(), sys.stdout.fileno())
     threading.Thread(target=_end_with, args=(os.getppid(),), daemon=True).start()
+    import fmpy.fmi2
+    import fmpy.fmi3  # noqa: F401 - before the FMU's time counts
+
+    write_frame(answers, DONE, b"")
     fmu: Fmu | None = None
     while (asked := read_frame(source)) is not None:
         kind, content = asked
         try:
             if kind == LOAD:
                 fmu = Fmu(json.loads(content))
-                answer = packed(fmu.heights())
+                answer = fmu.heights()
             else:
                 assert fmu is not None
-                answer = _answer(fmu, kind, content)
+                act = fmu.predict if kind == PREDICT else fmu.advance
+                answer = act(doubles(content))
         except Exception as error:
             said = {"error": type(error).__name__, "text": str(error)}
             write_frame(answers, FAILED, json.dumps(said).encode())
         else:
-            write_frame(answers, DONE, answer)
+            write_frame(answers, DONE, packed(answer))
     # Libraries that fail in their clean-up harm nobody any more.
     os._exit(0)
-
-
-def _answer(fmu: Fmu, kind: bytes, content: bytes) -> bytes:
-    if kind == PREDICT:
-        return packed(fmu.predict(doubles(content)))
-    if kind == ADVANCE:
-        return packed(fmu.advance(doubles(content)))
-    if kind == SAVE:
-        return fmu.state()
-    fmu.put_back(content)
-    return b""
 
 
 def _end_with(parent: int) -> None:

@@ -21,6 +21,8 @@ from arcless.simulate.fmu import fmu_process
 
 # Interval in s between two looks at the clock of an answer: a limit is kept within that.
 _LOOK_EVERY_S = 0.05
+# Time in s that Python may take to start in the process, on a machine that has much else to do.
+_START_S = 120.0
 # Characters of the last words of an FMU that a message quotes.
 _LAST_WORDS = 300
 _SIGNALS = {
@@ -101,6 +103,7 @@ class FmuProcess:
             It cannot be loaded.
         """
         folder = _unpacked(self.file, self._folder / "fmu")
+        self._answer(_START_S, b"")
         content = json.dumps({**given, "folder": str(folder)}).encode()
         return fmu_process.doubles(self.ask(fmu_process.LOAD, content))
 
@@ -112,18 +115,22 @@ class FmuProcess:
         FmuError
             The FMU refused, crashed, ended, or took too long.
         """
-        assert self._process.stdin is not None
-        assert self._process.stdout is not None
-        self._deadline = time.monotonic() + self._limit
+        return self._answer(self._limit, fmu_process.frame(kind, content))
+
+    def _answer(self, within_s: float, asked: bytes) -> bytes:
+        """Send what is asked, and return the next answer, which may take a time in s."""
+        self._deadline = time.monotonic() + within_s
         try:
-            fmu_process.write_frame(_raw(self._process.stdin), kind, content)
+            to = _raw(self._process.stdin)
+            to.write(asked)
+            to.flush()
             answer = fmu_process.read_frame(_raw(self._process.stdout))
         except OSError:
             answer = None
         finally:
             self._deadline = None
         if answer is None:
-            raise self._gone()
+            raise self._gone(within_s)
         how, found = answer
         if how == fmu_process.FAILED:
             said = json.loads(found)
@@ -152,13 +159,13 @@ class FmuProcess:
                 return
             time.sleep(_LOOK_EVERY_S)
 
-    def _gone(self) -> FmuError:
+    def _gone(self, within_s: float) -> FmuError:
         """Return why the process ended."""
         code = self._process.wait()
         if self._hung:
             return FmuError(
                 "the FMU hangs",
-                got=f"no answer within {self._limit:g} s",
+                got=f"no answer within {within_s:g} s",
                 hint="give a longer time_limit if it only is slow",
             )
         words = f"it ended with code {code}"

@@ -14,6 +14,7 @@ from arcless.model import Scenario
 from arcless.model.scenario.coarse_copy import coarse
 from arcless.model.settings.schemes import EXPLICIT
 from arcless.simulate.fmu.consent import check_consent
+from arcless.simulate.fmu.in_runs import facts, fmus_of, with_controls
 from arcless.simulate.recording.motion import MotionLayout, layout_of
 from arcless.simulate.recording.recording_window import Nearby, nearby
 from arcless.simulate.runs.checkpoint import State
@@ -89,17 +90,21 @@ class Job:
         numbers = {} if state is None else dict(state.numbers)
         if state is not None:
             self.controllers.put_back(actuators, numbers)
-        pantograph_data = [
-            pantographs.data(p.model, force + p.model.lift_at(speed), excitation, actuator)
-            for p, force, excitation, actuator in zip(
-                placements, forces, self.excitations, actuators, strict=True
-            )
-        ]
         audience = self._audience(take) if full else None
         if audience is not None:
             take, piece = audience.take, 1
         began = time.perf_counter()
-        with stepping(mesh, placements, self.travel):
+        with (
+            fmus_of(self.scenario, self.travel, forces, actuators) as fmus,
+            stepping(mesh, placements, self.travel),
+        ):
+            pantograph_data = [
+                pantographs.data(p.model, force + p.model.lift_at(speed), excitation, actuator, fmu)
+                for p, force, excitation, actuator, fmu in zip(
+                    placements, forces, self.excitations, actuators, fmus, strict=True
+                )
+            ]
+            put = with_controls(fmus, self.scenario.output.contact_every)
             raw = self.model.run(
                 pantographs=pantograph_data,
                 distances=[p.distance for p in placements],
@@ -111,11 +116,13 @@ class Job:
                 observe=self.observe,
                 state=None if state is None else (state.step, numbers),
                 until=until,
-                take=None if take is None else (piece or PIECE, take),
+                take=None if take is None else (piece or PIECE, _after(put, take)),
             )
+        raw = put(raw)
         if audience is not None:
             raw = audience.whole(raw)
         raw["wall_s"] = time.perf_counter() - began
+        raw["fmus"] = facts(self.scenario, fmus)
         step, after = raw["state"]
         raw["state"] = State(step, {**after, **self.controllers.numbers(actuators)})
         return raw
@@ -168,6 +175,11 @@ class Job:
     def kept_motion(self) -> MotionLayout | None:
         """Layout of the motion that the result holds."""
         return None if self.scenario.output.motion is None else self.motion
+
+
+def _after(put: Callable[[dict[str, Any]], dict[str, Any]], take: Take) -> Take:
+    """Return what takes a piece of the series after something was put into it."""
+    return lambda raw: take(put(raw))
 
 
 @dataclass(frozen=True)

@@ -111,19 +111,19 @@ def test_a_library_for_this_machine(tmp_path: Path) -> None:
     ("changed", "words"),
     [
         (("speed: speed", "speed: sped"),
-         'pantograph.fmu): fmu.speed: no such variable in the FMU: got "sped", expected a name of its'
+         'fmu): fmu.speed: no such variable in the FMU: got "sped", expected a name of its'
          " description; hint: did you mean speed?"),
         (("hardening:", "hardness:"), 'fmu.parameters.hardness: no such variable in the FMU'),
         (("hardening:", "strip_height:"),
-         "fmu.parameters.strip_height: a variable in two roles: got strip_height as strip_height and"
-         " in parameters, expected a variable for each"),
+         "fmu.parameters.strip_height: a variable in two roles: got strip_height as strip_height"
+         " and in parameters, expected a variable for each"),
         (("speed: speed", "speed: static_force"),
          "fmu.speed: a variable of another causality: got static_force, parameter, expected input"),
         (("speed: speed", "speed: contact_force"),
          "fmu.speed: a variable in two roles: got contact_force as contact_force and speed"),
         (("speed: speed", "strip_mass: 7 kg"),
          "fmu.strip_mass: a mass that is not used: got 7 kg"),
-        (("speed: speed", "sha256: " + 64 * "a"), "fmu.sha256: another FMU than the model was made"),
+        (("speed: speed", "sha256: " + 64 * "a"), "fmu.sha256: another FMU than the model"),
         (("speed: speed", "contact_force: [a, b]"),
          "fmu.contact_force: wrong number of names: got 2, expected 1, one for each strip_height"),
         (("speed: speed", "contact_force: [a, b]\n  strip_height: [c, d]"),
@@ -132,7 +132,8 @@ def test_a_library_for_this_machine(tmp_path: Path) -> None:
         (("static_force: 120 N", "masses: [{mass: 1 kg, stiffness: 0, damping: 0}]"),
          "both masses and fmu given"),
         (("static_force: 120 N",
-          "head: {strip_spacing: 1 m, half_length: 1 m, mass: 1 kg, stiffness: 1 N/m, damping: 0}"), "a head on an FMU"),
+          "head: {strip_spacing: 1 m, half_length: 1 m, mass: 1 kg, stiffness: 1 N/m, damping: 0}"),
+         "a head on an FMU"),
     ],
 )  # fmt: skip
 def test_a_mapping_that_does_not_fit(tmp_path: Path, changed: tuple[str, str], words: str) -> None:
