@@ -11,7 +11,7 @@ from typing import Any
 from arcless.model import Scenario
 from arcless.model.load import check_kind
 from arcless.results import Result
-from arcless.simulate.fmu.in_runs import check_saved
+from arcless.simulate.fmu.admission import check_saved
 from arcless.simulate.runs import checkpoint
 from arcless.simulate.runs.job import SEARCHING, Cancel, Job, Progress, lay_out, observer
 from arcless.simulate.runs.mean_force import find_forces

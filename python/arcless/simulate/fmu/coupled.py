@@ -1,18 +1,17 @@
 """A pantograph of a run that is an FMU: asked before each step of the line, moved after it."""
 
 import time
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from arcless.errors import ArclessError, FmuError, ModelError
-from arcless.model.fmu.checks import checked, digest_of, factor_of
-from arcless.model.fmu.description import FmuDescription
+from arcless.errors import ArclessError, FmuError
+from arcless.model.fmu.checks import digest_of, factor_of
 from arcless.model.fmu.mapping import ROLES, PantographFmu
 from arcless.simulate.fmu import fmu_process
+from arcless.simulate.fmu.admission import FmuPlace, check_fit
 from arcless.simulate.fmu.heights import ExtrapolatedHeights, MeasuredHeights
 from arcless.simulate.fmu.process import FmuProcess
 from arcless.units import plain
@@ -20,32 +19,17 @@ from arcless.units import plain
 Floats = NDArray[np.float64]
 # Inputs that are given with each step, in the order in which they are sent.
 INPUTS = ("base_height", "base_velocity", "speed", "track_position", "control_force")
-# A communication step may miss a multiple of the internal one by rounding of what is written.
-_MULTIPLE = 1e-6
-
-
-@dataclass(frozen=True)
-class FmuPlace:
-    """Place of an FMU in a run.
-
-    Attributes
-    ----------
-    name, field
-        Name of the pantograph, and where its FMU stands in the scenario.
-    step_s
-        Time step in s.
-    static_force
-        Static force in N.
-    """
-
-    name: str
-    field: str
-    step_s: float
-    static_force: float
 
 
 class CoupledFmu:
     """An FMU in a run: its process runs from the start, it is loaded when the run begins.
+
+    Parameters
+    ----------
+    fmu, place
+        The FMU of the model, and its place in the run.
+    static_force
+        Static force in N.
 
     Attributes
     ----------
@@ -60,14 +44,15 @@ class CoupledFmu:
         It is not what the model says.
     """
 
-    def __init__(self, fmu: PantographFmu, place: FmuPlace) -> None:
-        self._fmu, self._place = fmu, place
+    def __init__(self, fmu: PantographFmu, place: FmuPlace, static_force: float) -> None:
+        self._fmu, self._place, self._static_force = fmu, place, static_force
         self._where = f"pantograph {place.name}, t = 0 s"
         self.largest_miss, self.steps, self.wall_s = 0.0, 0, 0.0
         self._imbalance: float | None = None
         self._process = FmuProcess(Path(fmu.file), fmu.time_limit)
         try:
-            self._description = self._checked()
+            self._description = check_fit(fmu, place, self._process.file)
+            self._sha256 = digest_of(self._process.file)
             self._used = [name for name in INPUTS if getattr(fmu, name) is not None]
             self._to_fmu = self._factors(self._used)
             self._force_unit = self._factors(["contact_force"])
@@ -187,27 +172,6 @@ class CoupledFmu:
             "wall_time_s": self.wall_s,
         }
 
-    def _checked(self) -> FmuDescription:
-        """Check the copy that runs; return its description."""
-        try:
-            description = checked(self._fmu, self._process.file)
-        except ModelError as error:
-            error.where = f"{self._place.field}.{'.'.join(str(part) for part in error.field)}"
-            raise
-        self._sha256 = digest_of(self._process.file)
-        internal = description.internal_step_s
-        if internal:
-            ratio = self._place.step_s / internal
-            if round(ratio) < 1 or abs(ratio - round(ratio)) > _MULTIPLE * ratio:
-                raise ModelError(
-                    "a time step that the FMU cannot take",
-                    where="solver.time_step",
-                    got=f"{1e3 * self._place.step_s:g} ms",
-                    expected=f"a multiple of {1e3 * internal:g} ms, the internal step of the FMU"
-                    f" of {self._place.name}",
-                )
-        return description
-
     def _factors(self, roles: list[str]) -> Floats:
         """Return the SI value of 1 in the unit of each variable of some roles."""
         factors = [
@@ -224,7 +188,7 @@ class CoupledFmu:
     def _loading(self, height: float) -> dict[str, Any]:
         """Return what the process needs to load the FMU, at a height of its strips in m."""
         fmu, place, known = self._fmu, self._place, self._description
-        given = {"static_force": place.static_force, "start_height": height}
+        given = {"static_force": self._static_force, "start_height": height}
         names, values = list(fmu.parameters), list(fmu.parameters.values())
         for role, value in given.items():
             name = getattr(fmu, role)

@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from arcless.errors import FmuError
 from arcless.model import Scenario
 from arcless.model.pantograph.placement import PantographPlacement
-from arcless.simulate.fmu.coupled import CoupledFmu, FmuPlace
+from arcless.simulate.fmu.admission import places_of
+from arcless.simulate.fmu.coupled import CoupledFmu
 from arcless.simulate.setup.core_data import ActuatorData
 from arcless.simulate.setup.pantographs import roof
 from arcless.simulate.setup.trajectory import Motion
@@ -102,39 +102,15 @@ def fmus_of(
     """
     with ExitStack() as stack:
         started: list[FmuInRun | None] = []
-        for index, placement in enumerate(scenario.pantographs):
-            if placement.model.fmu is None:
+        for index, own in enumerate(places_of(scenario)):
+            if own is None:
                 started.append(None)
                 continue
-            place = FmuPlace(
-                name=placement.name,
-                field=f"pantographs.{index}.model.fmu",
-                step_s=travel.time_step,
-                static_force=forces[index],
-            )
-            coupled = CoupledFmu(placement.model.fmu, place)
+            coupled = CoupledFmu(*own, forces[index])
             stack.callback(coupled.close)
-            started.append(FmuInRun(coupled, _inputs(placement, travel), actuators[index]))
+            inputs = _inputs(scenario.pantographs[index], travel)
+            started.append(FmuInRun(coupled, inputs, actuators[index]))
         yield started
-
-
-def check_saved(scenario: Scenario) -> None:
-    """Refuse FMUs where a run is to stop early: their state is in their process alone.
-
-    Raises
-    ------
-    FmuError
-        A pantograph is an FMU.
-    """
-    for index, placement in enumerate(scenario.pantographs):
-        if placement.model.fmu is not None:
-            raise FmuError(
-                "a run with an FMU cannot stop early and go on later",
-                where=f"pantographs.{index}.model.fmu",
-                got="an FMU, whose state is in its process alone",
-                expected="a pantograph of masses or matrices",
-                hint="run it in one piece, without `until`",
-            )
 
 
 def with_controls(

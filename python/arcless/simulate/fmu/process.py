@@ -13,8 +13,7 @@ import zipfile
 from contextlib import suppress
 from importlib.util import find_spec
 from pathlib import Path
-from types import TracebackType
-from typing import IO, Any, Self
+from typing import IO, Any
 
 from arcless.errors import FmuError
 from arcless.simulate.fmu import fmu_process
@@ -80,19 +79,6 @@ class FmuProcess:
                 env=environment,
                 cwd=self._folder,
             )
-
-    def __enter__(self) -> Self:
-        """Return it; it runs already."""
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        """End the process and remove what was unpacked."""
-        self.close()
 
     def load(self, given: dict[str, Any]) -> tuple[float, ...]:
         """Load and initialise the FMU; return the heights of its strips in its unit.

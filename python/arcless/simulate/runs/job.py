@@ -13,7 +13,7 @@ from arcless.errors import ArclessError
 from arcless.model import Scenario
 from arcless.model.scenario.coarse_copy import coarse
 from arcless.model.settings.schemes import EXPLICIT
-from arcless.simulate.fmu.consent import check_consent
+from arcless.simulate.fmu.admission import check_admitted
 from arcless.simulate.fmu.in_runs import facts, fmus_of, with_controls
 from arcless.simulate.recording.motion import MotionLayout, layout_of
 from arcless.simulate.recording.recording_window import Nearby, nearby
@@ -229,10 +229,10 @@ def lay_out(
 
     Raises
     ------
-    FmuError
-        A pantograph is an FMU, and may not run.
+    FmuError, ModelError
+        A pantograph is an FMU, and may not run or does not fit.
     """
-    check_consent(scenario, allow_fmu=allow_fmu)
+    check_admitted(scenario, allow_fmu=allow_fmu)
     line = line or ready_line(scenario, tell)
     travel = trajectory.motion(scenario)
     excitations = pantographs.excitations(scenario, travel)

@@ -16,13 +16,14 @@ from numpy.typing import NDArray
 from arcless.errors import ArclessError, FmuError, ModelError
 from arcless.model.fmu.mapping import PantographFmu
 from arcless.simulate.fmu import process
-from arcless.simulate.fmu.coupled import CoupledFmu, FmuPlace
+from arcless.simulate.fmu.admission import FmuPlace
+from arcless.simulate.fmu.coupled import CoupledFmu
 from tests.support import fmus
 
 Floats = NDArray[np.float64]
 pytestmark = fmus.can_run
 FORCE, STEP = 120.0, 1e-3
-PLACE = FmuPlace(name="P1", field="pantographs.0.model.fmu", step_s=STEP, static_force=FORCE)
+PLACE = FmuPlace(name="P1", field="pantographs.0.model.fmu", step_s=STEP)
 STILL = dict.fromkeys(
     ("base_height", "base_velocity", "speed", "track_position", "control_force"), 0.0
 )
@@ -35,7 +36,7 @@ def mapped(file: Path, **more: Any) -> PantographFmu:
 
 def begun(fmu: PantographFmu) -> CoupledFmu:
     """Return an FMU that stands at its start; where that fails nothing of it is left."""
-    coupled = CoupledFmu(fmu, PLACE)
+    coupled = CoupledFmu(fmu, PLACE, FORCE)
     try:
         strips = fmu.strips
         coupled.begin(np.full(strips, LEVEL), np.full(strips, FORCE / strips), STILL)
