@@ -9,6 +9,7 @@ from arcless.model import Scenario
 from arcless.model.fmu.checks import checked
 from arcless.model.fmu.description import FmuDescription
 from arcless.model.fmu.mapping import PantographFmu
+from arcless.simulate.setup.trajectory import time_of_balance
 
 ENVIRONMENT = "ARCLESS_ALLOW_FMU"
 # A communication step may miss a multiple of the internal one by rounding of what is written.
@@ -25,11 +26,14 @@ class FmuPlace:
         Name of the pantograph, and where its FMU stands in the scenario.
     step_s
         Time step in s.
+    balance
+        Part of a step after which the scheme balances forces, 1 at its end.
     """
 
     name: str
     field: str
     step_s: float
+    balance: float
 
 
 def places_of(scenario: Scenario) -> list[tuple[PantographFmu, FmuPlace] | None]:
@@ -39,7 +43,12 @@ def places_of(scenario: Scenario) -> list[tuple[PantographFmu, FmuPlace] | None]
         if placement.model.fmu is None
         else (
             placement.model.fmu,
-            FmuPlace(placement.name, f"pantographs.{index}.model.fmu", scenario.time_step_s),
+            FmuPlace(
+                placement.name,
+                f"pantographs.{index}.model.fmu",
+                scenario.time_step_s,
+                time_of_balance(scenario.stepping.scheme),
+            ),
         )
         for index, placement in enumerate(scenario.pantographs)
     ]

@@ -49,6 +49,8 @@ class CoupledFmu:
         self._where = f"pantograph {place.name}, t = 0 s"
         self.largest_miss, self.steps, self.wall_s = 0.0, 0, 0.0
         self._imbalance: float | None = None
+        # Forces of steps belong to their times of balance: a step apart, and between them linear.
+        self._share = 1.5 - place.balance
         self._process = FmuProcess(Path(fmu.file), fmu.time_limit)
         try:
             self._description = check_fit(fmu, place, self._process.file)
@@ -83,7 +85,8 @@ class CoupledFmu:
         FmuError
             It cannot be loaded.
         """
-        self._forces, self._step, self._inputs = forces, 0, inputs
+        self._forces = self._held = forces
+        self._step, self._inputs = 0, inputs
         given = self._loading(float(heights.mean()))
         loaded = self._guarded(lambda: self._heights(np.array(self._process.load(given))))
         self._begun = heights
@@ -122,11 +125,11 @@ class CoupledFmu:
         at = step * self._place.step_s
         self._where = f"pantograph {self._place.name}, t = {at:.6g} s, {position:.2f} m"
         self._step, self._inputs = step, inputs
-        free, compliance = self._guarded(lambda: self._strips.predict(self._forces))
-        self._free, self._compliance = free, compliance
+        self._free, self._compliance = self._guarded(lambda: self._strips.predict(self._held))
         if self._imbalance is None:
             self._imbalance = self._left_over()
-        return free, compliance
+        old = (1.0 - self._share) * self._forces
+        return self._free - self._compliance @ old, self._share * self._compliance
 
     def advance(self, forces: Floats) -> Floats:
         """Take the step with the contact forces in N; return the heights reached in m.
@@ -136,10 +139,11 @@ class CoupledFmu:
         FmuError
             The FMU failed, crashed, hangs, or gave no number.
         """
-        self._forces = np.array(forces, dtype=np.float64)
-        rise = self._compliance @ self._forces
+        self._held = self._share * forces + (1.0 - self._share) * self._forces
+        self._forces = forces
+        rise = self._compliance @ self._held
         expected = self._free - rise
-        content = self._request(self._forces[None, :])
+        content = self._request(self._held[None, :])
         reached: Floats = self._guarded(lambda: self._asked(fmu_process.ADVANCE, content))[0]
         self.largest_miss = max(self.largest_miss, float(np.max(np.abs(reached - expected))))
         self._strips.reached(reached, expected, rise)

@@ -6,6 +6,15 @@ Within a step the line takes the strips as
 
 with the heights z at the end of the step, m, and the contact forces λ that are held over it, N.
 
+An FMU holds its inputs over a step, as if they were the force at its middle. The force F of a step
+of the line belongs to the time at which its scheme balances forces, θ h after its start: at the end
+of explicit steps. The force at the middle is, between that of the step before and this one,
+
+    λ = w F + (1 − w) F₋₁,   w = 3/2 − θ                                                   (2)
+
+without which coupling would be of first order in the step. For the line the strips then are
+z = (z₀ − (1 − w) S F₋₁) − w S F.
+
 **An FMU whose state can be saved** is asked: it takes the step without forces, z₀, and once for
 each strip with a force P on that one alone, z_j:   S e_j = (z₀ − z_j)/P. P is the force of the step
 before: the line (1) then passes through what the FMU does without a force and with that one, which

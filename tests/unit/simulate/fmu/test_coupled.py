@@ -23,7 +23,7 @@ from tests.support import fmus
 Floats = NDArray[np.float64]
 pytestmark = fmus.can_run
 FORCE, STEP = 120.0, 1e-3
-PLACE = FmuPlace(name="P1", field="pantographs.0.model.fmu", step_s=STEP)
+PLACE = FmuPlace(name="P1", field="pantographs.0.model.fmu", step_s=STEP, balance=0.5)
 STILL = dict.fromkeys(
     ("base_height", "base_velocity", "speed", "track_position", "control_force"), 0.0
 )
