@@ -9,6 +9,7 @@ use std::collections::BTreeMap;
 
 /// Numbers from which a run continues as if it had never stopped.
 #[derive(Debug, Clone, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Checkpoint {
     /// Number of steps done.
     pub step: usize,

@@ -14,6 +14,7 @@
 //! * [`pantograph`] — pantographs that travel along them;
 //! * [`constraint`] — contacts, slack links and stops: one [`lcp`] per step;
 //! * [`integrator`] — how wires take a step, and the energy balance;
+//! * [`line`] — lines at rest and lines ready for steps, of any kind;
 //! * [`simulation`] — model, state, and the [step](simulation::step::step) between two states;
 //!   runs;
 //! * [`session`] — single steps, driven from outside;
@@ -33,6 +34,7 @@ pub mod filter;
 pub mod integrator;
 pub mod lcp;
 pub mod linalg;
+pub mod line;
 pub mod linear;
 pub mod pantograph;
 pub mod residual_flexibility;

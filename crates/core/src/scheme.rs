@@ -21,6 +21,7 @@ use crate::error::CoreError;
 
 /// Time-stepping scheme.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Scheme {
     /// Member of the generalised-α family.
     Alpha(AlphaScheme),
@@ -30,6 +31,7 @@ pub enum Scheme {
 
 /// Parameters of a member of the generalised-α family.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct AlphaScheme {
     /// Parameter β of Newmark.
     pub beta: f64,

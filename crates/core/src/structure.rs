@@ -7,6 +7,7 @@
 
 /// Elastic data of a wire element.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Section {
     /// Unstretched length L, m.
     pub rest_length: f64,
@@ -18,6 +19,7 @@ pub struct Section {
 
 /// Proportional damping `alpha · M + beta · K`.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Rayleigh {
     /// Mass-proportional part, 1/s.
     pub alpha: f64,
@@ -27,6 +29,7 @@ pub struct Rayleigh {
 
 /// Piece of wire between two nodes.
 #[derive(Debug, Clone, Copy)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Wire {
     /// First and second node.
     pub nodes: [usize; 2],
@@ -63,6 +66,7 @@ impl Wire {
 /// Piece of a wire that is a chain of point masses: elastic, straight between its two nodes, with
 /// half of its mass on each.
 #[derive(Debug, Clone, Copy)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Segment {
     /// First and second node.
     pub nodes: [usize; 2],
@@ -82,6 +86,7 @@ pub struct Segment {
 
 /// Bending element at the node that two consecutive segments share.
 #[derive(Debug, Clone, Copy)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Bend {
     /// Segments before and behind the node.
     pub segments: [usize; 2],
@@ -94,6 +99,7 @@ pub struct Bend {
 /// Bar between two nodes. A unilateral link pulls but never pushes. A pure damper, of stiffness 0,
 /// is neither unilateral nor adjusted: it has no tension at rest.
 #[derive(Debug, Clone, Copy)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Link {
     /// First (upper) and second (lower) node.
     pub nodes: [usize; 2],
@@ -123,6 +129,7 @@ impl Link {
 
 /// Bar between a node and a point of the ground.
 #[derive(Debug, Clone, Copy)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Strut {
     /// Node.
     pub node: usize,
@@ -144,6 +151,7 @@ pub struct Strut {
 
 /// Spring and damper between one component of a node and the ground.
 #[derive(Debug, Clone, Copy)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Spring {
     /// Node.
     pub node: usize,
@@ -161,6 +169,7 @@ pub struct Spring {
 
 /// Knowledge of a spring when the design calculation begins.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum SpringMode {
     /// The rest coordinate is given.
     Given,
@@ -172,6 +181,7 @@ pub enum SpringMode {
 
 /// End of a wire that a device of constant force may hold.
 #[derive(Debug, Clone, Copy)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct TensionedEnd {
     /// Node.
     pub node: usize,
@@ -184,6 +194,7 @@ pub struct TensionedEnd {
 
 /// Mass at the position of a node.
 #[derive(Debug, Clone, Copy)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct PointMass {
     /// Node.
     pub node: usize,
@@ -195,6 +206,7 @@ pub struct PointMass {
 
 /// Residual flexibility of the wires at point forces; see [`crate::residual_flexibility`].
 #[derive(Debug, Clone, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ResidualFlexibility {
     /// Stiffness of each link alone, N/m; that in the list of links contains R at both ends.
     pub links: Vec<f64>,
@@ -209,6 +221,7 @@ pub struct ResidualFlexibility {
 
 /// Complete description of a structure.
 #[derive(Debug, Clone, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Structure {
     /// Components of space: 2 (along, up) or 3 (along, across, up).
     pub dim: usize,

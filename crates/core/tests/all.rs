@@ -3,6 +3,7 @@
 mod alteration;
 mod border;
 pub(crate) mod common;
+mod compliance;
 mod contact;
 mod contacts;
 mod control;
@@ -26,6 +27,7 @@ mod outside;
 mod pantograph;
 mod period;
 mod pieces;
+mod prepared;
 mod resume;
 mod scheme;
 mod statics;

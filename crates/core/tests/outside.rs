@@ -24,6 +24,8 @@ const SPEED: f64 = 80.0;
 const START: f64 = 1.3 * SPAN;
 const STEPS: usize = 600;
 const FORCE: f64 = 250.0;
+/// Sum of the rounding of some hundred steps, as a share.
+const ROUNDING: f64 = 1e-6;
 
 /// Program outside: pantographs of three masses, stepped by the scheme of the line.
 struct Simulated {
@@ -124,8 +126,9 @@ fn run<const DIM: usize, const D: usize>(
 }
 
 /// Compares a run with pantographs outside with one of simulated ones. The same equations are
-/// solved in another order: rounding, which the contact stiffness multiplies.
-fn is_as_simulated<const DIM: usize, const D: usize>(p: &WireModel<DIM, D>) {
+/// solved in another order: rounding, which the contact stiffness multiplies. `work` is a tolerance
+/// for the work on the strips, as a share of the energy turned over.
+fn is_as_simulated<const DIM: usize, const D: usize>(p: &WireModel<DIM, D>, work: f64) {
     let inside = [three_masses(FORCE), three_masses(FORCE)];
     let mut outside = Simulated::new(p.coefficients, 2);
     let expected = run(p, &inside, &mut outside).expect("it runs");
@@ -147,7 +150,7 @@ fn is_as_simulated<const DIM: usize, const D: usize>(p: &WireModel<DIM, D>) {
     let on_strips = e.work_uplift - e.pantographs - e.dissipated_pantographs;
     let scheme = e.dissipated_scheme - f.dissipated_scheme;
     let off = (f.work_uplift - (on_strips - scheme)).abs();
-    assert!(off < 1e-6 * e.turnover(), "{off} of {}", e.turnover());
+    assert!(off < work * e.turnover(), "{off} of {}", e.turnover());
     let asked = &outside.asked;
     assert_eq!(asked.len(), 2 * STEPS);
     let last = asked[2 * STEPS - 1];
@@ -168,19 +171,25 @@ fn planar(scheme: Scheme) -> WireModel<2, 4> {
 
 #[test]
 fn strips_moved_by_a_program_are_those_of_simulated_pantographs() {
-    is_as_simulated(&planar(Scheme::generalised_alpha(0.9)));
-    is_as_simulated(&planar(Scheme::generalised_alpha(1.0)));
-    is_as_simulated(&planar(Scheme::newmark(0.3025, 0.6)));
-    is_as_simulated(&planar(Scheme::BackwardDifference));
+    is_as_simulated(&planar(Scheme::generalised_alpha(0.9)), ROUNDING);
+    is_as_simulated(&planar(Scheme::generalised_alpha(1.0)), ROUNDING);
+    is_as_simulated(&planar(Scheme::newmark(0.3025, 0.6)), ROUNDING);
+    is_as_simulated(&planar(Scheme::BackwardDifference), ROUNDING);
     let scheme = Scheme::generalised_alpha(0.9);
-    is_as_simulated::<2, 4>(&common::yielding(simple_line(5), |_| (), scheme, H, 50e3));
+    let line = common::yielding(simple_line(5), |_| (), scheme, H, 50e3);
+    is_as_simulated::<2, 4>(&line, ROUNDING);
 }
 
 #[test]
 fn strips_moved_by_a_program_press_on_chains() {
     let (structure, path) = simple_line(5);
     let chain = (lumped(&structure), vec![path]);
-    is_as_simulated(&explicit::<2, 2>(&chain, H, 50e3).expect("short steps"));
+    // Energies of explicit steps belong to half a step later, where the velocity of a strip is one
+    // of the whole step: 250 N · ½ h · some 0.1 m/s of some 100 J.
+    is_as_simulated(
+        &explicit::<2, 2>(&chain, H, 50e3).expect("short steps"),
+        2e-4,
+    );
 }
 
 fn begin() -> SessionStart {

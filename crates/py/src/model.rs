@@ -6,7 +6,8 @@ use crate::pantographs::{AskedPantograph, PantographData, pantograph};
 use crate::records::{PlanData, arrays, numbers};
 use arcless_core::CoreError;
 use arcless_core::checkpoint::Checkpoint;
-use arcless_core::integrator::wire_model;
+use arcless_core::each_kind;
+use arcless_core::line::AnyWireModel;
 use arcless_core::linear::loads::Load;
 use arcless_core::pantograph::actuator::Sample;
 use arcless_core::simulation::inputs::Trajectory;
@@ -16,35 +17,10 @@ use numpy::{PyArrayLike1, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::collections::BTreeMap;
-use std::sync::Arc;
-
-/// Line ready for steps in two or three dimensions.
-pub enum Any {
-    /// Along and up, Hermite elements.
-    Planar(Arc<wire_model::WireModel<2, 4>>),
-    /// Along, across and up, Hermite elements.
-    Spatial(Arc<wire_model::WireModel<3, 6>>),
-    /// Along and up, chains of point masses.
-    PlanarChain(Arc<wire_model::WireModel<2, 2>>),
-    /// Along, across and up, chains of point masses.
-    SpatialChain(Arc<wire_model::WireModel<3, 3>>),
-}
-
-/// Call a method of whichever variant is there.
-macro_rules! either {
-    ($any:expr, $p:ident => $body:expr) => {
-        match $any {
-            Any::Planar($p) => $body,
-            Any::Spatial($p) => $body,
-            Any::PlanarChain($p) => $body,
-            Any::SpatialChain($p) => $body,
-        }
-    };
-}
 
 /// A line whose step matrix is factorised; it serves any number of runs.
 #[pyclass(frozen)]
-pub struct WireModel(pub Any);
+pub struct WireModel(pub AnyWireModel);
 
 /// Forces on the line: node, component and force for the size 1 of each part of the pattern; its
 /// size at every instant.
@@ -162,7 +138,7 @@ impl WireModel {
                 outside: &mut outside,
                 take: enough.map(|numbers| (numbers, &mut hand_on as _)),
             };
-            either!(&self.0, p => p.run_pieces(&pantographs, &travel, &plan, part, callers))
+            each_kind!(&self.0, AnyWireModel, p => p.run_pieces(&pantographs, &travel, &plan, part, callers))
         });
         let ended_by = CoreError::is_ended_from_outside;
         match (outcome, raised.or(failed).or(lost).or(outside.raised)) {
@@ -178,6 +154,6 @@ impl WireModel {
 
     /// Sizes that explain the cost of a step: nodes, blocks of the factor, numbers in the columns.
     fn cost(&self) -> (usize, usize, usize) {
-        either!(&self.0, p => (p.line.nodes(), p.fill(), p.columns.stored()))
+        self.0.cost()
     }
 }

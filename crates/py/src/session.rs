@@ -1,40 +1,16 @@
 //! Real-time session: a line stepped from outside, one call for each step, into arrays that stay.
 
 use crate::error::convert;
-use crate::model::{Any, WireModel};
+use crate::model::WireModel;
 use crate::pantographs::{PantographData, pantograph};
 use crate::records::numbers;
-use arcless_core::CoreError;
 use arcless_core::checkpoint::Checkpoint;
-use arcless_core::integrator::wire_model;
-use arcless_core::pantograph::model::Pantograph;
-use arcless_core::session::{self, Collector, SessionStart};
+use arcless_core::session::{AnySession, Collector, SessionStart};
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1, PyReadwriteArray1, ToPyArray};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::collections::BTreeMap;
-use std::sync::Arc;
-
-/// Session on a line in two or three dimensions; see [`Any`].
-enum AnySession {
-    Planar(session::Session<2, 4>),
-    Spatial(session::Session<3, 6>),
-    PlanarChain(session::Session<2, 2>),
-    SpatialChain(session::Session<3, 3>),
-}
-
-/// Call a method of whichever variant is there.
-macro_rules! either {
-    ($any:expr, $session:ident => $body:expr) => {
-        match $any {
-            AnySession::Planar($session) => $body,
-            AnySession::Spatial($session) => $body,
-            AnySession::PlanarChain($session) => $body,
-            AnySession::SpatialChain($session) => $body,
-        }
-    };
-}
 
 // Python's objects are aligned to 16 bytes, and what lies in them is stepped where it lies.
 const _: () = assert!(align_of::<AnySession>() <= 16);
@@ -66,8 +42,6 @@ struct CollectorData {
     half_width: f64,
 }
 
-type Made<const DIM: usize, const D: usize> = Result<session::Session<DIM, D>, CoreError>;
-
 #[pymethods]
 impl Session {
     /// Forces given, for each collector that in N at the start.
@@ -83,22 +57,8 @@ impl Session {
         let collectors = collectors.into_iter();
         let collector = |CollectorData { behind, half_width }| Collector { behind, half_width };
         let collectors: Vec<Collector> = collectors.map(collector).collect();
-        fn make<const DIM: usize, const D: usize>(
-            p: &Arc<wire_model::WireModel<DIM, D>>,
-            collectors: Vec<Collector>,
-            forces: &[f64],
-            start: StartData,
-        ) -> Made<DIM, D> {
-            session::Session::with_forces(p.clone(), collectors, forces, start.into())
-        }
-        let found = py.detach(|| match &line.0 {
-            Any::Planar(p) => make(p, collectors, &forces, start).map(AnySession::Planar),
-            Any::Spatial(p) => make(p, collectors, &forces, start).map(AnySession::Spatial),
-            Any::PlanarChain(p) => make(p, collectors, &forces, start).map(AnySession::PlanarChain),
-            Any::SpatialChain(p) => {
-                make(p, collectors, &forces, start).map(AnySession::SpatialChain)
-            }
-        });
+        let found =
+            py.detach(|| AnySession::with_forces(&line.0, collectors, &forces, start.into()));
         found.map(Self).map_err(|e| convert(py, &e))
     }
 
@@ -116,20 +76,8 @@ impl Session {
         let pantographs = pantographs.into_iter();
         let pantographs = pantographs.map(|data| Ok(pantograph(data)?.pantograph));
         let pantographs = pantographs.collect::<PyResult<Vec<_>>>()?;
-        fn make<const DIM: usize, const D: usize>(
-            p: &Arc<wire_model::WireModel<DIM, D>>,
-            (pantographs, distances): (Vec<Pantograph>, Vec<f64>),
-            start: StartData,
-        ) -> Made<DIM, D> {
-            session::Session::with_pantographs(p.clone(), pantographs, distances, start.into())
-        }
-        let what = (pantographs, distances);
-        let found = py.detach(|| match &line.0 {
-            Any::Planar(p) => make(p, what, start).map(AnySession::Planar),
-            Any::Spatial(p) => make(p, what, start).map(AnySession::Spatial),
-            Any::PlanarChain(p) => make(p, what, start).map(AnySession::PlanarChain),
-            Any::SpatialChain(p) => make(p, what, start).map(AnySession::SpatialChain),
-        });
+        let found = py
+            .detach(|| AnySession::with_pantographs(&line.0, pantographs, distances, start.into()));
         found.map(Self).map_err(|e| convert(py, &e))
     }
 
@@ -147,20 +95,8 @@ impl Session {
         let pantographs = pantographs.into_iter();
         let pantographs = pantographs.map(|data| Ok(pantograph(data)?.pantograph));
         let pantographs = pantographs.collect::<PyResult<Vec<_>>>()?;
-        fn make<const DIM: usize, const D: usize>(
-            p: &Arc<wire_model::WireModel<DIM, D>>,
-            (pantographs, distances): (Vec<Pantograph>, Vec<f64>),
-            start: StartData,
-        ) -> Made<DIM, D> {
-            session::Session::with_strips(p.clone(), pantographs, distances, start.into())
-        }
-        let what = (pantographs, distances);
-        let found = py.detach(|| match &line.0 {
-            Any::Planar(p) => make(p, what, start).map(AnySession::Planar),
-            Any::Spatial(p) => make(p, what, start).map(AnySession::Spatial),
-            Any::PlanarChain(p) => make(p, what, start).map(AnySession::PlanarChain),
-            Any::SpatialChain(p) => make(p, what, start).map(AnySession::SpatialChain),
-        });
+        let found =
+            py.detach(|| AnySession::with_strips(&line.0, pantographs, distances, start.into()));
         found.map(Self).map_err(|e| convert(py, &e))
     }
 
@@ -177,14 +113,39 @@ impl Session {
         out: PyReadwriteArray1<'_, f64>,
     ) -> PyResult<()> {
         let (z, s) = (heights.as_slice()?, compliance.as_slice()?);
-        let taken = either!(&mut self.0, session => session.step_strips(z, s, position, speed));
+        let taken = self.0.step_strips(z, s, position, speed);
         taken.map_err(|e| convert(py, &e))?;
         self.read(out)
     }
 
+    /// Wire at the collectors at the time of balance of the coming step, which is to end at
+    /// `position` (m) with `speed` (m/s): heights in m if none pressed in it, and their matrix of
+    /// m/N row by row.
+    fn compliance<'py>(
+        &mut self,
+        py: Python<'py>,
+        position: f64,
+        speed: f64,
+    ) -> PyResult<(Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>)> {
+        let found = self.0.compliance(position, speed);
+        let found = found.map_err(|e| convert(py, &e))?;
+        let [heights, matrix] = [&found.free_height, &found.matrix];
+        Ok((heights.to_pyarray(py), matrix.to_pyarray(py)))
+    }
+
+    /// Choose the nodes whose uplift is read, before the first step.
+    fn watch(&mut self, py: Python<'_>, nodes: Vec<usize>) -> PyResult<()> {
+        self.0.watch(&nodes).map_err(|e| convert(py, &e))
+    }
+
+    /// Uplift of the watched nodes at the end of the last step, m.
+    fn uplift<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        self.0.outputs().uplift.to_pyarray(py)
+    }
+
     /// Heights of the strips of external pantographs at the end of the last step, m.
     fn strip_heights<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        let outputs = either!(&self.0, session => session.outputs());
+        let outputs = self.0.outputs();
         outputs.strip_height.to_pyarray(py)
     }
 
@@ -201,7 +162,7 @@ impl Session {
         out: PyReadwriteArray1<'_, f64>,
     ) -> PyResult<()> {
         let forces = forces.as_slice()?;
-        let taken = either!(&mut self.0, session => session.step(forces, position, speed));
+        let taken = self.0.step(forces, position, speed);
         taken.map_err(|e| convert(py, &e))?;
         self.read(out)
     }
@@ -210,7 +171,7 @@ impl Session {
     /// height in m/s, each for all contacts; displacement in m and velocity in m/s of all
     /// coordinates of pantographs.
     fn read(&self, mut out: PyReadwriteArray1<'_, f64>) -> PyResult<()> {
-        let reading = either!(&self.0, session => session.outputs());
+        let reading = self.0.outputs();
         let r = reading;
         let parts = [
             &r.force,
@@ -236,34 +197,30 @@ impl Session {
 
     /// Numbers of contacts and of coordinates of all pantographs.
     fn sizes(&self) -> (usize, usize) {
-        let reading = either!(&self.0, session => session.outputs());
+        let reading = self.0.outputs();
         (reading.force.len(), reading.velocity.len())
     }
 
     /// Contacts: pantograph, strip and lane of each; none where forces are given.
     fn contacts(&self) -> Vec<[usize; 3]> {
-        either!(&self.0, session => session.outputs().contacts.clone())
+        self.0.outputs().contacts.clone()
     }
 
     /// Displacements of all nodes of the line from rest, m, node by node: along, across (in space
     /// only), up.
     fn displacements<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        either!(&self.0, session => session.displacements()).into_pyarray(py)
+        self.0.displacements().into_pyarray(py)
     }
 
     /// Steps taken, position in m, speed in m/s.
     fn place(&self) -> (usize, f64, f64) {
-        let (position, speed) = either!(&self.0, session => session.position_and_speed());
-        (
-            either!(&self.0, session => session.steps()),
-            position,
-            speed,
-        )
+        let (position, speed) = self.0.position_and_speed();
+        (self.0.steps(), position, speed)
     }
 
     /// Steps taken, and the state as numbers by name.
     fn take_down<'py>(&mut self, py: Python<'py>) -> PyResult<(usize, Bound<'py, PyDict>)> {
-        let state = either!(&mut self.0, session => session.save());
+        let state = self.0.save();
         let state = state.map_err(|e| convert(py, &e))?;
         Ok((state.step, numbers(py, &state)?))
     }
@@ -276,6 +233,6 @@ impl Session {
     ) -> PyResult<()> {
         let (step, numbers) = state;
         let state = Checkpoint { step, numbers };
-        either!(&mut self.0, session => session.restore(&state)).map_err(|e| convert(py, &e))
+        self.0.restore(&state).map_err(|e| convert(py, &e))
     }
 }

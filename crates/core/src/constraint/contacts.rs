@@ -47,6 +47,25 @@ pub struct Contact<const DIM: usize> {
 }
 
 impl<const DIM: usize> Contact<DIM> {
+    /// Returns a contact at a point of the first slideline, given by its number, without a strip.
+    pub(crate) fn at_point(number: usize, point: SlidelinePoint<DIM>) -> Self {
+        Self {
+            indices: [number, 0, 0],
+            behind: [0.0; 2],
+            is_active: true,
+            is_new: false,
+            has_wire: true,
+            point,
+            compliance: LocalCompliance::default(),
+            ends: [point; 2],
+            lateral: 0.0,
+            vector: Vec::new(),
+            column: Vec::new(),
+            columns: Vec::new(),
+            lateral_rise: 0.0,
+        }
+    }
+
     /// Returns the number of the pantograph.
     pub(crate) fn pantograph(&self) -> usize {
         self.indices[0]

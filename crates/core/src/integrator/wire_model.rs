@@ -362,6 +362,19 @@ impl<const DIM: usize, const D: usize> WireModel<DIM, D> {
         }
     }
 
+    /// Undoes what [`WireModel::predict`] and constraint forces have changed, so that the step can
+    /// be predicted again from its start: explicit steps add forces to those of the wires.
+    pub(crate) fn undo_prediction(&self, state: &mut WireState<D>) {
+        let WireState {
+            awake, stepping, ..
+        } = state;
+        if let Some((steps, chain)) = self.explicit_mut(stepping) {
+            awake
+                .iter()
+                .for_each(|&island| steps.wire_forces(island, chain));
+        }
+    }
+
     /// Prepares the next step of a restored state.
     pub(crate) fn resume(&self, state: &mut WireState<D>) {
         match &self.integrator {

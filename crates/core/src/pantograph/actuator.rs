@@ -13,6 +13,7 @@ const LONGEST_DELAY: usize = u32::MAX as usize;
 
 /// Actuator of a pantograph: where its force acts and when it is sampled.
 #[derive(Debug, Clone)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Actuator {
     /// Direction: force on the coordinates = direction · value.
     pub direction: Vec<f64>,

@@ -32,6 +32,7 @@ use crate::scheme::Coefficients;
 
 /// Kind of a force: spring or damper.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum ForceKind {
     /// Spring, a function of displacement, m.
     Spring,

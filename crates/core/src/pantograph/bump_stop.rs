@@ -13,6 +13,7 @@ use crate::scheme::Coefficients;
 
 /// Bump stop, which closes when dᵀw has fallen by `gap`.
 #[derive(Debug, Clone)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct BumpStop {
     /// Direction d of the motion that opens it.
     pub direction: Vec<f64>,

@@ -14,6 +14,7 @@ use crate::linalg::small::{add_scaled, matrix_vector};
 
 /// History of a force of constant direction.
 #[derive(Debug, Clone, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ForceHistory {
     /// Direction: force on the coordinates = direction · value.
     pub direction: Vec<f64>,
@@ -23,6 +24,7 @@ pub struct ForceHistory {
 
 /// Motion of the base of a pantograph.
 #[derive(Debug, Clone, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct BaseMotion {
     /// Influence vector r: displacement of the pantograph for a unit displacement of the base that
     /// strains nothing.
@@ -35,6 +37,7 @@ pub struct BaseMotion {
 
 /// Excitation of a pantograph; none by default.
 #[derive(Debug, Clone, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Excitation {
     /// Forces.
     pub forces: Vec<ForceHistory>,

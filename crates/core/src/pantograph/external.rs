@@ -14,7 +14,7 @@
 //!
 //!   z_f = (1 − α_f) z + α_f uₙ
 //!
-//! The program may put other heights in the place of z₀ − S λ̂ when it knows the forces: they are
+//! The program may report other heights than z₀ − S λ̂ when it knows the forces: they are
 //! the state, and the contact law then holds up to the difference. Velocity is the increment per
 //! step length; there is no acceleration. Nothing is stored in such a pantograph: λ̂ᵀ Δu is work
 //! from outside.
@@ -199,8 +199,8 @@ impl PantographState {
         Ok(())
     }
 
-    /// Puts other heights above the datum at the end of the step, m, in the place of the
-    /// predicted ones.
+    /// Replaces the predicted heights above the datum at the end of the step by those that the
+    /// program has reached, m.
     ///
     /// # Errors
     /// A reason.
@@ -218,7 +218,7 @@ impl PantographState {
         Ok(())
     }
 
-    /// Heights at the end of the step above zero of the line, m, with the increment of the step.
+    /// Writes the heights at the end of the step, in the datum of the line, m.
     pub(crate) fn write_heights(&self, datum: f64, out: &mut [f64]) {
         for ((out, u), delta) in out.iter_mut().zip(&self.u).zip(&self.delta) {
             *out = datum + u + delta;

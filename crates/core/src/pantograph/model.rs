@@ -22,6 +22,7 @@ use crate::pantograph::strip::{self, Strip};
 
 /// Description of a pantograph. Matrices are n × n, row by row; SI units.
 #[derive(Debug, Clone)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Pantograph {
     /// Mass matrix, kg.
     pub mass: Vec<f64>,

@@ -46,6 +46,7 @@ const SAME_SLOPE: f64 = 1e-12;
 
 /// Spring or damper given by a table.
 #[derive(Debug, Clone)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct PiecewiseForce {
     /// Direction g of the coordinate q = gᵀw.
     pub direction: Vec<f64>,

@@ -10,6 +10,7 @@ use crate::error::CoreError;
 
 /// Contact strip of a pantograph.
 #[derive(Debug, Clone)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Strip {
     /// Distance behind the reference point of the pantograph, m.
     pub offset: f64,

@@ -11,6 +11,7 @@ use crate::slideline::point::{Nodal, SlidelinePoint};
 
 /// Device outside whose force on the wire is given.
 #[derive(Debug, Clone, Copy)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Collector {
     /// Distance behind the position of the session, m.
     pub behind: f64,

@@ -21,24 +21,34 @@
 //! Inputs are measured when the step begins and act during the whole step. Outputs belong to the
 //! end of the step, except contact forces, which belong to its time of balance.
 
+pub mod any;
 pub(crate) mod collectors;
+pub(crate) mod compliance;
 pub(crate) mod outputs;
+pub mod prepared;
+pub(crate) mod saved;
 pub(crate) mod snapshot;
 pub(crate) mod start;
+pub(crate) mod strips;
 pub(crate) mod subgrid_height;
+pub(crate) mod watched;
 
+pub use any::AnySession;
 pub use collectors::Collector;
+pub use compliance::Compliance;
 pub use outputs::Outputs;
+pub use prepared::{Drive, Prepared};
 
-use crate::checkpoint::Checkpoint;
 use crate::error::CoreError;
 use crate::integrator::wire_model::WireModel;
 use crate::linear::loads::Loads;
 use crate::pantograph::actuator::Actuator;
 use crate::pantograph::model::Pantograph;
 use crate::session::collectors::{Collectors, check_end};
+use crate::session::compliance::ComplianceWork;
 use crate::session::snapshot::Snapshot;
 use crate::session::subgrid_height::add_subgrid_heights;
+use crate::session::watched::{WatchedNode, read_uplifts};
 use crate::simulation::inputs::Inputs;
 use crate::simulation::model::Model;
 use crate::simulation::run::OBSERVE_EVERY;
@@ -48,6 +58,7 @@ use std::sync::Arc;
 
 /// Start of a session.
 #[derive(Debug, Clone, Copy)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct SessionStart {
     /// Position along the track, m.
     pub position: f64,
@@ -91,10 +102,23 @@ pub struct Session<const DIM: usize, const D: usize> {
     pub(crate) speed: f64,
     pub(crate) state: State<DIM, D>,
     pub(crate) outputs: Outputs,
+    pub(crate) watched: Vec<WatchedNode<DIM>>,
+    pub(crate) compliance: ComplianceWork<DIM>,
 }
 
-/// Name of position and speed among the numbers of a saved state.
-const POSITION_AND_SPEED: &str = "loop_position_speed";
+/// Inputs of a step with the loads of collectors, with its positions (m) and speed (m/s).
+pub(crate) fn step_inputs<const DIM: usize>(
+    collectors: &Collectors<DIM>,
+    positions: [f64; 3],
+    speed: f64,
+) -> Inputs<'_> {
+    Inputs {
+        positions,
+        speed,
+        loads: Loads::new(&collectors.loads, &collectors.sizes),
+        excitations: &[],
+    }
+}
 
 impl<const DIM: usize, const D: usize> Session<DIM, D> {
     /// Takes a step that ends at `position` (m) with `speed` (m/s). `forces` in N act during the
@@ -116,65 +140,17 @@ impl<const DIM: usize, const D: usize> Session<DIM, D> {
         self.take_step(forces, position, speed)
     }
 
-    /// Takes a step that ends at `position` (m) with `speed` (m/s), where strips are given.
-    /// `heights` are those of all coordinates of all pantographs at the end of the step if nothing
-    /// presses during it, above the rail, m; `compliance` has the matrix of each pantograph, m/N,
-    /// row by row, one after the other. Zeros hold the strips at their heights.
-    ///
-    /// Allocations and failures as in [`Session::step`].
-    ///
-    /// # Errors
-    /// [`CoreError::Input`], or any [`CoreError`] that a step can raise.
-    pub fn step_strips(
+    /// Takes a step with checked inputs.
+    pub(crate) fn take_step(
         &mut self,
-        heights: &[f64],
-        compliance: &[f64],
+        forces: &[f64],
         position: f64,
         speed: f64,
     ) -> Result<(), CoreError> {
-        if !position.is_finite() || !speed.is_finite() {
-            return Err(CoreError::invalid("position", "not finite"));
-        }
-        let sizes = self.model.pantographs.iter().map(Pantograph::size);
-        let counts = [heights.len(), compliance.len()];
-        let expected = sizes.fold([0, 0], |[n, squares], size| {
-            [n + size, squares + size * size]
-        });
-        if !self.has_strips() || counts != expected {
-            let reason = format!("{counts:?} heights and compliances, expected {expected:?}");
-            return Err(CoreError::invalid("strips", reason));
-        }
-        let (mut heights, mut compliance) = (heights, compliance);
-        for number in 0..self.model.pantographs.len() {
-            let size = self.model.pantographs[number].size();
-            let (own, others) = heights.split_at(size);
-            let (matrix, other_matrices) = compliance.split_at(size * size);
-            let set = self.state.motion.set_external(number, own, matrix);
-            set.map_err(|reason| {
-                CoreError::invalid("strips", format!("pantograph {number}: {reason}"))
-            })?;
-            (heights, compliance) = (others, other_matrices);
-        }
-        self.take_step(&[], position, speed)
-    }
-
-    /// Whether strips are given.
-    fn has_strips(&self) -> bool {
-        self.model.pantographs.iter().any(|p| p.is_external)
-    }
-
-    /// Takes a step with checked inputs.
-    fn take_step(&mut self, forces: &[f64], position: f64, speed: f64) -> Result<(), CoreError> {
-        let old = self.model.line.coefficients.old;
-        let at_balance = |before: f64, after: f64| (1.0 - old) * after + old * before;
-        let positions = [self.position, at_balance(self.position, position), position];
+        let positions = self.positions(position);
         self.set_forces(forces, positions)?;
-        let inputs = Inputs {
-            positions,
-            speed: at_balance(self.speed, speed),
-            loads: Loads::new(&self.collectors.loads, &self.collectors.sizes),
-            excitations: &[],
-        };
+        let speed_at_balance = self.at_balance(self.speed, speed);
+        let inputs = step_inputs(&self.collectors, positions, speed_at_balance);
         let number = self.steps();
         step(&self.model.borrow(), &inputs, &mut self.state)?;
         if number.is_multiple_of(OBSERVE_EVERY) {
@@ -182,6 +158,38 @@ impl<const DIM: usize, const D: usize> Session<DIM, D> {
         }
         (self.position, self.speed) = (position, speed);
         self.read_outputs()
+    }
+
+    /// Value at the time of balance from those at the start and the end of the step.
+    pub(crate) fn at_balance(&self, before: f64, after: f64) -> f64 {
+        let old = self.model.line.coefficients.old;
+        (1.0 - old) * after + old * before
+    }
+
+    /// Positions at the start of a step that ends at `position`, at its time of balance, and at its
+    /// end, m.
+    pub(crate) fn positions(&self, position: f64) -> [f64; 3] {
+        let balance = self.at_balance(self.position, position);
+        [self.position, balance, position]
+    }
+
+    /// Weight α_f of the start of a step in its balance: inputs and contact forces belong to the
+    /// time (1 − α_f) h after the start.
+    #[must_use]
+    pub fn old_weight(&self) -> f64 {
+        self.model.line.coefficients.old
+    }
+
+    /// Step length, s.
+    #[must_use]
+    pub fn step_length(&self) -> f64 {
+        self.model.line.h
+    }
+
+    /// Flexibility 1/k_c of a contact, m/N.
+    #[must_use]
+    pub fn contact_flexibility(&self) -> f64 {
+        self.model.line.contact_flexibility
     }
 
     /// Outputs of the last step, or of the start.
@@ -250,7 +258,11 @@ impl<const DIM: usize, const D: usize> Session<DIM, D> {
 
     /// Sets the forces of the step, N: of actuators, and of collectors on the wire. Positions of
     /// the session, m: at the start of the step, at the time of balance, and at the end.
-    fn set_forces(&mut self, forces: &[f64], [_, balance, end]: [f64; 3]) -> Result<(), CoreError> {
+    pub(crate) fn set_forces(
+        &mut self,
+        forces: &[f64],
+        [_, balance, end]: [f64; 3],
+    ) -> Result<(), CoreError> {
         let (model, motion) = (self.model.borrow(), &mut self.state.motion);
         check_end(model.wires, motion, end)?;
         for (pantograph, force) in motion.pantographs.iter_mut().zip(forces) {
@@ -274,43 +286,9 @@ impl<const DIM: usize, const D: usize> Session<DIM, D> {
         };
         self.outputs.read_mesh(&snapshot)?;
         add_subgrid_heights(&mut self.outputs, &snapshot);
+        let Outputs { force, uplift, .. } = &mut self.outputs;
+        read_uplifts(&self.watched, &snapshot, force, uplift);
         Ok(())
-    }
-
-    /// Saves the state between two steps.
-    ///
-    /// # Errors
-    /// None for a state that steps have left.
-    pub fn save(&mut self) -> Result<Checkpoint, CoreError> {
-        let mut saved = self.state.save(&self.model.borrow())?;
-        let numbers = vec![self.position, self.speed];
-        saved.numbers.insert(POSITION_AND_SPEED.into(), numbers);
-        Ok(saved)
-    }
-
-    /// Restores a saved state of this session, or of another one on the same line with as many
-    /// pantographs.
-    ///
-    /// # Errors
-    /// [`CoreError::Input`] for a state of another session; the present one is then kept.
-    pub fn restore(&mut self, saved: &Checkpoint) -> Result<(), CoreError> {
-        let mut saved = saved.clone();
-        let numbers = saved.numbers.remove(POSITION_AND_SPEED).unwrap_or_default();
-        let [position, speed] = numbers[..] else {
-            return Err(CoreError::invalid("state", "it is not of a loop"));
-        };
-        let mut state = self.state.clone();
-        state.restore(&self.model.borrow(), &saved)?;
-        let before = (self.position, self.speed);
-        (self.position, self.speed) = (position, speed);
-        let before_state = std::mem::replace(&mut self.state, state);
-        let restored = self.read_outputs();
-        if restored.is_err() {
-            (self.position, self.speed) = before;
-            self.state = before_state;
-            self.read_outputs()?;
-        }
-        restored
     }
 }
 

@@ -26,6 +26,8 @@ pub struct Outputs {
     pub displacement: Vec<f64>,
     /// Velocities of all coordinates of all pantographs, m/s.
     pub velocity: Vec<f64>,
+    /// Uplift of the [watched](crate::session::Session::watch) nodes, m.
+    pub uplift: Vec<f64>,
     /// Heights of all coordinates of external pantographs, m; empty where there are none.
     pub strip_height: Vec<f64>,
 }
@@ -47,6 +49,7 @@ impl Outputs {
             rate: zero,
             displacement: vec![0.0; coordinates],
             velocity: vec![0.0; coordinates],
+            uplift: Vec::new(),
             strip_height: vec![0.0; external],
         }
     }

@@ -5,6 +5,7 @@ use crate::integrator::wire_model::WireModel;
 use crate::linear::loads::Load;
 use crate::pantograph::model::Pantograph;
 use crate::session::collectors::{Collector, Collectors, locate};
+use crate::session::compliance::ComplianceWork;
 use crate::session::outputs::Outputs;
 use crate::session::{OwnedModel, Session, SessionStart, is_direct};
 use crate::simulation::state::State;
@@ -75,6 +76,8 @@ impl<const DIM: usize, const D: usize> Session<DIM, D> {
         let loads = forces.iter().map(|_| empty_load::<DIM, D>(links));
         Self {
             outputs: Outputs::new(Vec::new(), points.len(), (0, 0)),
+            watched: Vec::new(),
+            compliance: ComplianceWork::default(),
             collectors: Collectors {
                 all: collectors,
                 points,
@@ -172,6 +175,8 @@ impl<const DIM: usize, const D: usize> Session<DIM, D> {
             position: start.position,
             speed: start.speed,
             outputs: Outputs::new(contacts.clone(), contacts.len(), (coordinates, external)),
+            watched: Vec::new(),
+            compliance: ComplianceWork::default(),
             state,
             model,
         }
@@ -192,6 +197,12 @@ impl<const DIM: usize, const D: usize> Session<DIM, D> {
         motion.problem.reserve(rows);
         let points = motion.contacts.all.len() + self.collectors.all.len();
         motion.wires.reserve(points);
+        let corrections = motion.problem.correction.len();
+        self.compliance.reserve(
+            self.collectors.all.len(),
+            corrections,
+            links.min(RESERVED_ROWS),
+        );
         self.read_outputs()?;
         Ok(self)
     }

@@ -49,7 +49,7 @@ pub(crate) fn add_subgrid_heights<const DIM: usize, const D: usize>(
 /// Height of the real wire above the mesh at the end of the step, m, under the contact forces, N,
 /// and the link corrections of the step, when all contacts have moved along the track by `shift`,
 /// m.
-fn height_above_mesh<const DIM: usize, const D: usize>(
+pub(crate) fn height_above_mesh<const DIM: usize, const D: usize>(
     snapshot: &Snapshot<'_, DIM, D>,
     forces: &[f64],
     touch: &TouchPoint<DIM>,

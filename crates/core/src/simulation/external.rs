@@ -1,5 +1,5 @@
-//! External pantographs of a run: a program outside is asked before each step, and learns the forces
-//! of it.
+//! External pantographs of a run: a program outside is asked before each step, and learns the
+//! forces of it.
 
 use crate::error::CoreError;
 use crate::pantograph::external::{Outside, StepStart};

@@ -150,7 +150,7 @@ def translated(
     if kind == "external":
         return ContactError(
             f"the program that moves pantograph {pantographs[details['pantograph']]} failed",
-            where=f"t = {details['time']:.6g} s, {details['position']:.2f} m",
+            where=f"step {details['step']}, t = {details['time']:.6g} s",
             got=details["reason"],
         )
     if (kind, details.get("array")) == ("input", "state"):

@@ -1,0 +1,211 @@
+//! Compliance of the line in the coming step of a session with given forces: with it a program
+//! outside solves contact itself, as stiffly as it is solved inside.
+//!
+//! At the time of balance of a step the wire at the collectors is at
+//!
+//!   z_f = z₀ + W λ
+//!
+//! for contact forces λ that are constant in the step. Without slack links W is a times
+//! CᵀA⁻¹C + R̃/a of the [problem](crate::constraint::problem) of a step, a = 1 − α_f. Links S that
+//! are slack stay without tension, which makes the wire softer: from the rows T/κ = 0 of the
+//! problem,
+//!
+//!   W = a (H_cc − H_cS H_SS⁻¹ H_Sc)
+//!
+//! z₀ and S are those of the step under the forces of the step before. So z_f is exact as long as
+//! no link slackens or tightens because λ differs from these. W leaves out friction along the wire,
+//! which z₀ has from the same forces. It is symmetric, unless a slack link is damped.
+
+use crate::constraint::contacts::Contact;
+use crate::constraint::row::{OnWires, Row};
+use crate::error::CoreError;
+use crate::linalg::dense;
+use crate::session::{Session, step_inputs};
+use crate::simulation::step::solve;
+use crate::slideline::point::SlidelinePoint;
+
+/// Wire at the collectors at the time of balance of the coming step.
+#[derive(Debug, Clone, Default)]
+pub struct Compliance {
+    /// Height at each collector if none pressed in the step, m.
+    pub free_height: Vec<f64>,
+    /// Height per force, m/N: one row for each collector whose height it is.
+    pub matrix: Vec<f64>,
+}
+
+/// Compliance of the coming step and the workspace in which it is found.
+#[derive(Debug, Default)]
+pub(crate) struct ComplianceWork<const DIM: usize> {
+    result: Compliance,
+    /// Contacts at the collectors, at the time of balance.
+    contacts: Vec<Contact<DIM>>,
+    /// Data of the step before, which are kept: forces (N), corrections (N), points.
+    forces: Vec<f64>,
+    correction: Vec<f64>,
+    points: Vec<SlidelinePoint<DIM>>,
+    /// Matrix H_SS, of which each solution takes a copy, and column of H_Sc.
+    slack_matrix: Vec<f64>,
+    copy: Vec<f64>,
+    column: Vec<f64>,
+}
+
+impl<const DIM: usize> ComplianceWork<DIM> {
+    /// Reserves memory for so many collectors and links, and for `rows` slack links.
+    pub(crate) fn reserve(&mut self, collectors: usize, links: usize, rows: usize) {
+        let result = &mut self.result;
+        result.free_height.resize(collectors, 0.0);
+        result.matrix.resize(collectors * collectors, 0.0);
+        let contact = |number| Contact::at_point(number, SlidelinePoint::default());
+        self.contacts = (0..collectors).map(contact).collect();
+        self.forces.resize(collectors, 0.0);
+        self.correction.resize(links, 0.0);
+        self.points.resize(collectors, SlidelinePoint::default());
+        self.slack_matrix.reserve(rows * rows);
+        self.copy.reserve(rows * rows);
+        self.column.reserve(rows);
+    }
+}
+
+impl<const DIM: usize, const D: usize> Session<DIM, D> {
+    /// Finds the wire at the collectors in the coming step, which is to end at `position` (m) with
+    /// `speed` (m/s). It takes about as long as a step, allocates nothing, and changes no later
+    /// step.
+    ///
+    /// # Errors
+    /// [`CoreError::Input`] where no forces are given, or any [`CoreError`] that a step can raise.
+    pub fn compliance(&mut self, position: f64, speed: f64) -> Result<&Compliance, CoreError> {
+        if self.collectors.all.is_empty() {
+            let reason = "none: compliance is that at collectors with given forces";
+            return Err(CoreError::invalid("collectors", reason));
+        }
+        if !position.is_finite() || !speed.is_finite() {
+            return Err(CoreError::invalid("position", "not finite"));
+        }
+        let (work, motion) = (&mut self.compliance, &self.state.motion);
+        work.forces.copy_from_slice(&self.collectors.forces);
+        work.correction.copy_from_slice(&motion.problem.correction);
+        work.points.copy_from_slice(&self.collectors.points);
+        let found = self.try_step(position, speed);
+        let (work, motion) = (&mut self.compliance, &mut self.state.motion);
+        motion.problem.correction.copy_from_slice(&work.correction);
+        self.collectors.points.copy_from_slice(&work.points);
+        self.collectors.forces.copy_from_slice(&work.forces);
+        self.model.line.undo_prediction(&mut motion.wires);
+        found.map(|()| &self.compliance.result)
+    }
+
+    /// Solves the coming step under the forces of the step before, without taking it, and reads
+    /// the wire at the collectors.
+    fn try_step(&mut self, position: f64, speed: f64) -> Result<(), CoreError> {
+        let forces = std::mem::take(&mut self.compliance.forces);
+        let tried = self.solve_step(&forces, position, speed);
+        self.compliance.forces = forces;
+        tried?;
+        self.find_matrix();
+        self.find_free_heights();
+        Ok(())
+    }
+
+    fn solve_step(&mut self, forces: &[f64], position: f64, speed: f64) -> Result<(), CoreError> {
+        let positions = self.positions(position);
+        self.set_forces(forces, positions)?;
+        let speed = self.at_balance(self.speed, speed);
+        let inputs = step_inputs(&self.collectors, positions, speed);
+        solve(&self.model.borrow(), &inputs, &mut self.state)?;
+        let slideline = &self.model.line.slidelines[0];
+        let pairs = self
+            .compliance
+            .contacts
+            .iter_mut()
+            .zip(&self.collectors.points);
+        for (contact, point) in pairs {
+            (contact.point, contact.compliance) = (*point, slideline.compliance_at(point));
+        }
+        Ok(())
+    }
+
+    /// Finds W.
+    fn find_matrix(&mut self) {
+        let (line, problem) = (&*self.model.line, &self.state.motion.problem);
+        let work = &mut self.compliance;
+        let keep = line.coefficients.stiffness;
+        let is_slack = |&&link: &&usize| problem.correction[link] > 0.0;
+        let slack = || problem.links.iter().filter(is_slack);
+        let link_row = |&link: &usize| Row::link(line, link, (0.0, 0.0));
+        let n = work.contacts.len();
+        let size = slack().count();
+        work.slack_matrix.clear();
+        for (i, a) in slack().enumerate() {
+            let row = link_row(a);
+            for (j, b) in slack().enumerate() {
+                let entry = if i == j {
+                    row.diagonal(line)
+                } else {
+                    row.coupling(&link_row(b), line)[0]
+                };
+                work.slack_matrix.push(entry);
+            }
+        }
+        for source in 0..n {
+            let contact = contact_row(&work.contacts[source]);
+            work.copy.clear();
+            work.copy.extend_from_slice(&work.slack_matrix);
+            work.column.clear();
+            let opened = slack().map(|link| link_row(link).coupling(&contact, line)[0]);
+            work.column.extend(opened);
+            // The matrix is positive definite: see the problem of a step.
+            let is_regular = size == 0 || dense::solve_in_place(&mut work.copy, &mut work.column);
+            debug_assert!(is_regular, "slack links are independent");
+            for target in 0..n {
+                let row = contact_row(&work.contacts[target]);
+                let direct = if target == source {
+                    row.diagonal(line)
+                } else {
+                    row.coupling(&contact, line)[0]
+                };
+                let through = slack()
+                    .zip(&work.column)
+                    .map(|(link, correction)| row.coupling(&link_row(link), line)[0] * correction);
+                work.result.matrix[target * n + source] = keep * (direct - through.sum::<f64>());
+            }
+        }
+    }
+
+    /// Finds z₀ from the heights under the forces of the step before.
+    fn find_free_heights(&mut self) {
+        let (line, motion) = (&*self.model.line, &self.state.motion);
+        let model = self.model.borrow();
+        let work = &mut self.compliance;
+        let (keep, n) = (line.coefficients.stiffness, work.contacts.len());
+        for (target, contact) in work.contacts.iter().enumerate() {
+            let [u, delta] = motion.wires.at_balance();
+            let place = &contact.point;
+            let mesh = place.height
+                + place.displacement(&u, DIM - 1)
+                + keep * place.displacement(&delta, DIM - 1);
+            let corrected = contact.compliance.links();
+            let corrected = corrected.map(|(link, rise)| rise * motion.problem.correction[link]);
+            let mut height = mesh
+                + contact.compliance.static_height
+                + motion.raised_by_links(&model, &contact.compliance, keep)
+                + corrected.sum::<f64>();
+            for (source, force) in work.forces.iter().enumerate() {
+                height += force * line.residual_compliance(contact, &work.contacts[source]);
+                height -= force * work.result.matrix[target * n + source];
+            }
+            work.result.free_height[target] = height;
+        }
+    }
+}
+
+/// Row of a contact that presses with a given force.
+fn contact_row<const DIM: usize>(contact: &Contact<DIM>) -> Row<'_, DIM> {
+    Row {
+        wires: OnWires::Contact(contact),
+        pantograph: None,
+        sign: 1.0,
+        compliance: 0.0,
+        free: 0.0,
+        force: 0.0,
+    }
+}
