@@ -71,7 +71,7 @@ def test_a_run_asks_for_consent_and_tells_a_crash(
     assert not Path("out").exists()
     crashed = arcless("run", scenario, "--out", "out", "--no-report", "--allow-fmu")
     assert crashed.exit_code == 1
-    assert "pantograph P1, t = 0.50" in crashed.stderr
+    assert "pantograph P1, t = 0.5 s, 72.22 m" in crashed.stderr
     assert "the FMU is gone: got it crashed (segmentation fault)" in crashed.stderr
     assert not Path("out").exists()
 

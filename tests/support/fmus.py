@@ -62,14 +62,15 @@ def description(
     *,
     units: Mapping[str, str | None] = {},
     causalities: Mapping[str, str] = {},
+    names: Mapping[str, str] = {},
     attributes: str = "",
     keeps_state: bool = True,
     defined: bool = True,
 ) -> str:
     """Return a modelDescription.xml.
 
-    `units` and `causalities` are of variables that are to be wrong; a unit None is left out. With
-    `defined` false the units have a name alone.
+    `units` and `causalities` are of variables that are to be wrong, `names` of those that have
+    another name; a unit None is left out. With `defined` false the units have a name alone.
     """
     variables = [
         *VARIABLES,
@@ -82,7 +83,7 @@ def description(
         of = "" if given is None else f' unit="{given}"'
         role = causalities.get(name, causality)
         start = "" if role == "output" else ' start="0"'
-        rows.append(_variable(fmi, name, reference, role, f"{of}{start}"))
+        rows.append(_variable(fmi, names.get(name, name), reference, role, f"{of}{start}"))
     state, token = ("FMUstate", "guid") if fmi == 2 else ("FMUState", "instantiationToken")
     can = str(keeps_state).lower()
     kinds = {unit: UNITS.get(unit, "") for row in variables for unit in [row[3]]}

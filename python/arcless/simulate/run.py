@@ -116,7 +116,6 @@ def resume(
     to: str | Path | None = None,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
-    allow_fmu: bool = False,
 ) -> Result:
     """Continue a run that stopped early; the result is that of the whole run, bit for bit.
 
@@ -126,7 +125,7 @@ def resume(
         Of `run` or `resume` with `until`, or `arcless.open` of its file.
     until
         Stop early again, see `run`.
-    to, progress, cancel, allow_fmu
+    to, progress, cancel
         See `run`.
 
     Raises
@@ -134,15 +133,15 @@ def resume(
     ResultFormatError
         The result is complete, its state is damaged or of another version, or the scenario or the
         line at rest is another one than when the run began.
-    ContactError, ControlError, FmuError
-        A step cannot be solved, or a controller or an FMU failed.
+    ContactError, ControlError
+        A step cannot be solved, or a controller failed.
     """
     saved = checkpoint.read(result)
     _check_starts(result.scenario)
     tell = progress or (lambda _fraction, _text: None)
     started = time.perf_counter()
     decided = Controllers(result.scenario)
-    job = lay_out(result.scenario, decided, tell, cancel, allow_fmu=allow_fmu)
+    job = lay_out(result.scenario, decided, tell, cancel)
     checkpoint.check_identity(result, checkpoint.identity(job.scenario, job.found, job.travel))
     last = checkpoint.stop_step(job.travel, until, after=saved.step)
     forces = checkpoint.take_forces(saved, len(job.scenario.pantographs))

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from arcless.cli.arguments.scenario import AllowFmuOption, JsonOption, QuietOption
+from arcless.cli.arguments.scenario import JsonOption, QuietOption
 from arcless.cli.commands.saved_results import ResultArgument
 from arcless.cli.output import outcome
 from arcless.cli.output.outcome import NoReportOption, OverwriteOption, UntilOption
@@ -32,7 +32,6 @@ def resume(
     overwrite: OverwriteOption = False,
     json: JsonOption = False,
     no_report: NoReportOption = False,
-    allow_fmu: AllowFmuOption = False,
     quiet: QuietOption = False,
 ) -> None:
     """Continue a run that `arcless run --until` stopped.
@@ -51,26 +50,18 @@ def resume(
     opened = open_result(result)
     own = result_file(result)
     with for_run(out or own.parent, overwrite=overwrite, own=own) as folder:
-        file = folder.file(RESULT_NAME)
-        whole = _go_on(opened, until, file, quiet=quiet, allow_fmu=allow_fmu)
+        whole = _go_on(opened, until, folder.file(RESULT_NAME), quiet=quiet)
         written = outcome.write(whole, folder, report=not no_report)
     outcome.tell(whole, written, json=json, quiet=quiet)
 
 
-def _go_on(
-    opened: "Result", until: str | None, file: Path, *, quiet: bool, allow_fmu: bool
-) -> "Result":
+def _go_on(opened: "Result", until: str | None, file: Path, *, quiet: bool) -> "Result":
     from arcless import simulate
 
     to = file if simulate.is_long(opened.scenario) else None
     with console.progress(quiet=quiet) as progress:
         return compute(
             lambda cancel: simulate.resume(
-                opened,
-                until=until,
-                to=to,
-                progress=progress,
-                cancel=cancel,
-                allow_fmu=allow_fmu,
+                opened, until=until, to=to, progress=progress, cancel=cancel
             )
         )

@@ -1,7 +1,8 @@
 """Main program of the process in which an FMU runs, alone: loads it, steps it, answers.
 
-Its command line is `python -P fmu_process.py`. It imports nothing of Arcless: so it starts in a
-quarter of a second. Requests come on standard input, answers go to standard output, both as frames:
+Its command line is `python -P fmu_process.py`, in the folder that the FMU is unpacked into, which
+it removes when Arcless is gone. It imports nothing of Arcless: so it starts in a quarter of a
+second. Requests come on standard input, answers go to standard output, both as frames:
 
     kind (1 byte), length of what follows (4 bytes, little-endian), content
 
@@ -18,6 +19,7 @@ failed, as JSON. What the FMU prints goes to standard error.
 import ctypes
 import json
 import os
+import shutil
 import signal
 import struct
 import sys
@@ -190,7 +192,8 @@ def main() -> None:
     answers = os.fdopen(os.dup(sys.stdout.fileno()), "wb")
     # Text that a library prints must not get between the frames.
     os.dup2(sys.stderr.fileno(), sys.stdout.fileno())
-    threading.Thread(target=_end_with, args=(os.getppid(),), daemon=True).start()
+    folder = os.getcwd()  # noqa: PTH109 - as a text, to be removed at the end
+    threading.Thread(target=_end_with, args=(os.getppid(), folder), daemon=True).start()
     import fmpy.fmi2
     import fmpy.fmi3  # noqa: F401 - before the FMU's time counts
 
@@ -211,15 +214,20 @@ def main() -> None:
             write_frame(answers, FAILED, json.dumps(said).encode())
         else:
             write_frame(answers, DONE, packed(answer))
-    # Libraries that fail in their clean-up harm nobody any more.
-    os._exit(0)
+    _leave(folder)
 
 
-def _end_with(parent: int) -> None:
+def _end_with(parent: int, folder: str) -> None:
     """End this process when the one that started it is gone, even inside of the library."""
     while os.getppid() == parent:
         time.sleep(_LOOK_EVERY_S)
-    os._exit(1)
+    _leave(folder)
+
+
+def _leave(folder: str) -> None:
+    """Remove the folder and end at once: no library has a say in that any more."""
+    shutil.rmtree(folder, ignore_errors=True)
+    os._exit(0)
 
 
 if __name__ == "__main__":

@@ -6,6 +6,7 @@ import subprocess
 import sys
 import tempfile
 import time
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -223,20 +224,24 @@ def test_what_an_fmu_prints_disturbs_nothing(tmp_path: Path) -> None:
     np.testing.assert_allclose(rows[:, 0], exact(300), rtol=0, atol=1e-12)
 
 
-def left() -> set[Path]:
-    return set(Path(tempfile.gettempdir()).glob("arcless-fmu-*"))
+@pytest.fixture
+def left(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[[], list[Path]]:
+    """Return what lists the folders of FMUs that are there."""
+    folder = tmp_path / "temporary"
+    folder.mkdir()
+    monkeypatch.setattr(tempfile, "tempdir", str(folder))
+    return lambda: list(folder.glob("arcless-fmu-*"))
 
 
-def test_nothing_stays_behind(tmp_path: Path) -> None:
-    before = left()
+def test_nothing_stays_behind(tmp_path: Path, left: Callable[[], list[Path]]) -> None:
     fmu = begun(mapped(fmus.fmu(tmp_path)))
     child = fmu._process._process
-    assert len(left() - before) == 1
+    assert len(left()) == 1
     assert child.poll() is None
     fmu.close()
     fmu.close()
     assert child.poll() is not None
-    assert not left() - before
+    assert not left()
 
 
 @pytest.mark.parametrize(
@@ -246,10 +251,11 @@ def test_nothing_stays_behind(tmp_path: Path) -> None:
         ({"token": "another"}, "Failed to instantiate"),
     ],
 )
-def test_a_library_that_does_not_load(tmp_path: Path, changed: dict[str, str], words: str) -> None:
+def test_a_library_that_does_not_load(
+    tmp_path: Path, left: Callable[[], list[Path]], changed: dict[str, str], words: str
+) -> None:
     text = fmus.description()
     text = text.replace(fmus.TOKEN, changed.get("token", fmus.TOKEN))
-    before = left()
     if "model" in changed:
         file = fmus.undescribed(tmp_path, text)
         words = "pantograph.so"
@@ -259,7 +265,7 @@ def test_a_library_that_does_not_load(tmp_path: Path, changed: dict[str, str], w
     with pytest.raises(FmuError, match=words) as caught:
         begun(mapped(file))
     assert str(caught.value).startswith("pantograph P1, t = 0 s: the FMU failed: got ")
-    assert not left() - before
+    assert not left()
 
 
 def test_a_file_that_was_changed_is_refused(tmp_path: Path) -> None:
@@ -295,9 +301,15 @@ for step in range(100):
 """
 
 
-def test_a_hanging_fmu_ends_when_arcless_is_killed(tmp_path: Path) -> None:
+def test_a_hanging_fmu_ends_when_arcless_is_killed(
+    tmp_path: Path, left: Callable[[], list[Path]]
+) -> None:
     file = fmus.fmu(tmp_path, faults=("HANG=0.0105",))
-    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, sys.path))}
+    environment = {
+        **os.environ,
+        "PYTHONPATH": os.pathsep.join(filter(None, sys.path)),
+        "TMPDIR": tempfile.gettempdir(),
+    }
     parent = subprocess.Popen(
         [sys.executable, "-c", HOLDS, str(file)],
         stdout=subprocess.PIPE, env=environment, cwd=Path(__file__).parents[4],
@@ -310,6 +322,7 @@ def test_a_hanging_fmu_ends_when_arcless_is_killed(tmp_path: Path) -> None:
     while _runs(child) and time.monotonic() < deadline:
         time.sleep(0.1)
     assert not _runs(child)
+    assert not left()
 
 
 def _runs(pid: int) -> bool:

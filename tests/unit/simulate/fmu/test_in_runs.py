@@ -98,26 +98,40 @@ def test_two_strips_are_two_contacts(tmp_path: Path, short: Short) -> None:
     assert found.dataset["wire_contact_force"].shape[1] == 2
 
 
-def test_shorter_steps_bring_another_scheme_closer(tmp_path: Path, short: Short) -> None:
-    """Exact motion in the FMU, generalised-alpha inside: second order in the time step."""
+@pytest.mark.parametrize("scheme", ["generalised-alpha", "central-difference"])
+def test_coupling_is_of_second_order(tmp_path: Path, short: Short, scheme: str) -> None:
+    """Exact motion in the FMU, another scheme inside: a quarter of the difference per half step."""
     file = fmus.fmu(tmp_path)
+    # Elements that explicit steps of 1 ms and of less are stable with: only the step changes.
+    elements = {"solver.contact_wire_element": 0.5, "solver.messenger_wire_element": 0.5}
     off = []
-    for step in (2e-3, 1e-3, 0.5e-3):
-        base = short(**{"solver.time_step": step, "output.contact_every": round(2e-3 / step)})
-        pair = [run(with_model(base, model)) for model in (inside(), outside(file))]
-        own, found = (one.assessment.pantographs[0].std_force_N for one in pair)
-        off.append(abs(found - own))
-    assert off[0] < 0.5
-    assert off[1] < 0.5 * off[0]
-    assert off[2] < 0.5 * off[1]
+    for step in (1e-3, 0.5e-3):
+        base = short(**{"solver.scheme": scheme, **elements, "solver.time_step": step})
+        own, found = (forces(run(with_model(base, model))) for model in (inside(), outside(file)))
+        off.append(np.max(np.abs(found - own)))
+    assert off[0] < 0.2
+    assert 0.2 < off[1] / off[0] < 0.32
 
 
-def test_explicit_steps(tmp_path: Path, short: Short) -> None:
-    base = short(**{"solver.scheme": "central-difference"})
+@pytest.mark.parametrize(
+    "scheme",
+    [
+        {"name": "generalised-alpha", "spectral_radius": 0.0},
+        {"name": "backward-difference"},
+        "central-difference",
+    ],
+    ids=["generalised-alpha", "backward-difference", "central-difference"],
+)
+def test_rigid_contact(tmp_path: Path, short: Short, scheme: Any) -> None:
+    """Schemes that balance at or near the end of a step: a force is half that of the step before."""
+    base = short(**{"contact.law": "rigid", "solver.scheme": scheme})
     own = run(with_model(base, inside()))
     found = run(with_model(base, outside(fmus.fmu(tmp_path))))
     ours, theirs = (one.assessment.pantographs[0].std_force_N for one in (own, found))
-    assert theirs == pytest.approx(ours, abs=0.2)
+    # These schemes damp what the FMU does exactly; ringing would be tens of N from step to step.
+    assert theirs == pytest.approx(ours, rel=0.1)
+    steps = [np.std(np.diff(forces(one))) for one in (own, found)]
+    assert steps[1] < 1.2 * steps[0]
 
 
 def test_an_fmu_without_saved_states(tmp_path: Path, short: Short) -> None:
@@ -220,7 +234,9 @@ def test_an_fmu_that_does_not_start_in_balance(tmp_path: Path, short: Short) -> 
     assert any(warning.startswith(words) for warning in found.metadata["warnings"])
 
 
-@pytest.mark.parametrize(("fault", "words"), [("CRASH=0.501", "crashed"), ("NOTANUMBER=0.501", "nan")])
+@pytest.mark.parametrize(
+    ("fault", "words"), [("CRASH=0.501", "crashed"), ("NOTANUMBER=0.501", "nan")]
+)
 def test_a_failure_ends_the_run_with_time_and_place(
     tmp_path: Path, short: Short, fault: str, words: str
 ) -> None:
@@ -266,7 +282,7 @@ def test_a_real_time_loop_is_refused(tmp_path: Path, short: Short) -> None:
     scenario = with_model(short(), outside(fmus.fmu(tmp_path)))
     with pytest.raises(ModelError, match="not in a real-time loop: an FMU runs in a process"):
         arcless.realtime(scenario, simulated=True)
-    assert arcless.realtime(scenario).names == ("P1",)
+    assert arcless.realtime(scenario).contacts == ("P1",)
 
 
 def test_a_result_is_opened_without_the_fmu(tmp_path: Path, short: Short) -> None:
