@@ -164,7 +164,9 @@ class FmuProcess:
     def _hint(self) -> str | None:
         """Return the last words of the FMU as a hint."""
         try:
-            written = self._words.read_bytes()[-4 * _LAST_WORDS :]
+            with self._words.open("rb") as words:
+                words.seek(max(0, self._words.stat().st_size - 4 * _LAST_WORDS))
+                written = words.read()
         except OSError:
             return None
         text = written.decode("utf-8", "replace").strip()

@@ -123,7 +123,7 @@ def test_coupling_is_of_second_order(tmp_path: Path, short: Short, scheme: str) 
     ids=["generalised-alpha", "backward-difference", "central-difference"],
 )
 def test_rigid_contact(tmp_path: Path, short: Short, scheme: Any) -> None:
-    """Schemes that balance at or near the end of a step: a force is half that of the step before."""
+    """Schemes that balance at the end of a step: half of a force is that of the step before."""
     base = short(**{"contact.law": "rigid", "solver.scheme": scheme})
     own = run(with_model(base, inside()))
     found = run(with_model(base, outside(fmus.fmu(tmp_path))))
