@@ -25,6 +25,7 @@ _NAMES = {
         "ExplanationError",
         "FigureError",
         "FitError",
+        "FmuError",
         "MeasurementError",
         "MeshError",
         "NotConvergedError",

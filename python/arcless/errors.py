@@ -147,6 +147,10 @@ class ControlError(ArclessError):
     """The controller of a pantograph is missing, or failed."""
 
 
+class FmuError(ArclessError):
+    """An FMU is not allowed to run, cannot be loaded, failed, crashed or hangs."""
+
+
 class ResultFormatError(ArclessError):
     """A file is not a result that this version can read."""
 

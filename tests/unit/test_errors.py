@@ -15,6 +15,7 @@ from arcless.errors import (
     ExplanationError,
     FigureError,
     FitError,
+    FmuError,
     MeasurementError,
     MeshError,
     ModelError,
@@ -70,6 +71,11 @@ EXAMPLES = [
     (
         ControlError("the controller failed", where="pantograph P1, t = 0.5 s", got="KeyError: 1"),
         "pantograph P1, t = 0.5 s: the controller failed: got KeyError: 1",
+        1,
+    ),
+    (
+        FmuError("the FMU is gone", where="pantograph P1, t = 0.5 s", got="it crashed"),
+        "pantograph P1, t = 0.5 s: the FMU is gone: got it crashed",
         1,
     ),
     (

@@ -36,6 +36,7 @@ def batch(
     cancel: Cancel | None = None,
     take: Callable[[Outcome], None] | None = None,
     watch: Watch | None = None,
+    allow_fmu: bool = False,
 ) -> list[Outcome]:
     """Run many scenarios.
 
@@ -68,6 +69,8 @@ def batch(
         Given index and scenario of a member, returns the observer of its runs while they step, see
         `Watching`, or None. A member that is stopped is an outcome that says so, with neither
         assessment nor result. A member that is not stopped is, bit for bit, as without it.
+    allow_fmu
+        Whether pantographs that are FMUs may run, see `arcless.run`.
 
     Returns
     -------
@@ -97,7 +100,7 @@ def batch(
         tell.done(outcome)
 
     try:
-        with WorkerPool(groups, keep, stored, count, watch=watch) as crew:
+        with WorkerPool(groups, keep, stored, count, watch=watch, allow_fmu=allow_fmu) as crew:
             while source.goes_on or len(outcomes) < source.begun:
                 for outcome in source.refill(groups, source.begun - len(outcomes), AHEAD * count):
                     handed(outcome)
