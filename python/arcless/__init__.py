@@ -24,6 +24,7 @@ _NAMES = {
         "ExecutorError",
         "ExplanationError",
         "FigureError",
+        "MachineError",
         "MeasurementError",
         "MeshError",
         "NotConvergedError",

@@ -14,6 +14,7 @@ from arcless.errors import (
     ExecutorError,
     ExplanationError,
     FigureError,
+    MachineError,
     MeasurementError,
     MeshError,
     ModelError,
@@ -89,6 +90,11 @@ EXAMPLES = [
     (
         FigureError("unknown key of a figure", got="`leed`", expected="one of `lead`, `force`"),
         "unknown key of a figure: got `leed`, expected one of `lead`, `force`",
+        2,
+    ),
+    (
+        MachineError("the system gives no locked memory", got="Operation not permitted"),
+        "the system gives no locked memory: got Operation not permitted",
         2,
     ),
     (
