@@ -30,6 +30,8 @@ _SHORTEST_S, PER_DOUBLING = 1e-6, 2
 _SWAY, _WAVELENGTH_M = 0.4, 60.0
 Progress = Callable[[float, str], None]
 Cancel = Callable[[], bool]
+# A step, and what is done between two of them.
+Loop = tuple[Callable[[], None], Callable[[], None]]
 
 
 @dataclass(frozen=True)
@@ -112,6 +114,7 @@ def measure(
         raise ModelError("seconds", got=f"{seconds:g}", expected="one time step, or more")
     turn = max(1, min(count, round(TURN_S / loop.time_step_s)))
     stepping = Stepping(loop, end_m)
+    loops: list[Loop] = [(stepping.step, stepping.begin_again), (_nothing, _nothing)]
     kept = [(np.empty(count), np.empty(count)) for _ in range(2)]
     waiting = _spin if wait == "spin" else _sleep
     with _no_garbage_collection():
@@ -121,11 +124,8 @@ def measure(
                 raise KeyboardInterrupt
             if progress is not None:
                 progress(first / count, f"steps, {first * loop.time_step_s:.0f} of {seconds:g} s")
-            for (computing, response), act, prepare in (
-                (kept[0], stepping.step, stepping.begin_again),
-                (kept[1], _nothing, _nothing),
-            ):
-                _turn(computing[part], response[part], loop.time_step_s, act, prepare, waiting)
+            for (computing, response), kind in zip(kept, loops, strict=True):
+                _turn(computing[part], response[part], loop.time_step_s, kind, waiting)
     return StepTimes(*(Times(*times, loop.time_step_s) for times in kept))
 
 
@@ -177,10 +177,10 @@ class Stepping:
 
 
 def _turn(
-    computing: Floats, response: Floats, step_s: float,
-    act: Callable[[], None], prepare: Callable[[], None], wait: Callable[[int], int],
-) -> None:  # fmt: skip
+    computing: Floats, response: Floats, step_s: float, loop: Loop, wait: Callable[[int], int]
+) -> None:
     """Let a loop run for as many steps as there is room for their times, s."""
+    act, prepare = loop
     clock, every = time.perf_counter_ns, round(1e9 * step_s)
     due = clock() + every
     for number in range(len(computing)):
