@@ -80,14 +80,13 @@ def _dependencies() -> set[str]:
     found: set[str] = set()
     ask = [_FIRST[0]]
     while ask:
-        done = subprocess.run(
-            ["apt-cache", "depends", ask.pop()], capture_output=True, encoding="utf-8", check=False
-        )
+        asked = ["apt-cache", "depends", ask.pop()]
+        done = subprocess.run(asked, capture_output=True, encoding="utf-8", check=False)
         named = {line.split()[-1] for line in done.stdout.splitlines() if " Depends: " in line}
         new = {name for name in named if name.startswith(_BELONG)} - found
         found |= new
         ask += sorted(name for name in new if name.startswith(_BELONG[0]))
     if not any(name.startswith(_BELONG[1]) for name in found):
-        raise MissingError("`rustc-web` is not among the packages known here; it is in Debian 12 and"
+        raise MissingError("`rustc-web` is not among the packages known here, which Debian 12 has and"
                       " newer: apt-get update")  # fmt: skip
     return found - set(_FIRST)

@@ -14,11 +14,11 @@ from arcless.cli.commands import (
     run,
     runs,
     saved_results,
-    step_times,
     studio,
     study,
     validate,
 )
+from arcless.cli.commands.loops import step_times
 from arcless.cli.commands.measurements import measure
 from arcless.cli.commands.models import model_files, own_models, table
 from arcless.cli.completion import scripts

@@ -1,4 +1,4 @@
-"""What a system gives a thread that must not be late: priority, memory that stays, a processor.
+"""Means of a system for a thread that must not be late: priority, memory, a processor.
 
 Sources: sched(7), mlock(2), sched_setaffinity(2); Microsoft, "Scheduling Priorities".
 """

@@ -1,4 +1,4 @@
-"""How long the steps of a loop take on this machine, and how late they are, next to an empty loop.
+"""Times of the steps of a loop on this machine, and their lateness, next to an empty loop.
 
 A bench releases step k at the time r_k = r_0 + k h of the clock. The thread wakes up at w_k ≥ r_k,
 takes the step, and is done at d_k. Its computing time is d_k − w_k, its response time d_k − r_k;

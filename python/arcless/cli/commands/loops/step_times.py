@@ -1,4 +1,4 @@
-"""`arcless step-times`: how long steps take on this machine, and how late they are."""
+"""`arcless step-times`: times of steps on this machine, computing and lateness."""
 
 from enum import StrEnum
 from pathlib import Path
@@ -26,7 +26,7 @@ LONGEST_S = 86_400.0
 
 
 class Waiting(StrEnum):
-    """How the loop waits for the time of a step."""
+    """Ways to wait for the time of a step."""
 
     sleep = "sleep"
     spin = "spin"
