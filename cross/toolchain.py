@@ -51,11 +51,29 @@ def unpacked() -> dict[str, str]:
 
 
 def run(*command: str, environment: dict[str, str] | None = None, folder: Path = ROOT) -> None:
-    """Run a command, whose output is shown; end with its exit code where it fails."""
+    """Run a command, whose output is shown; end with its exit code where it fails.
+
+    Its streams are pipes: CPython of Windows does not start under wine without.
+    """
     print("$", *command, file=sys.stderr, flush=True)
-    done = subprocess.run(command, cwd=folder, env=environment, check=False)
+    with subprocess.Popen(
+        command, cwd=folder, env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+    ) as process:  # fmt: skip
+        assert process.stdout is not None
+        for line in process.stdout:
+            sys.stdout.buffer.write(line)
+            sys.stdout.buffer.flush()
+    if process.returncode:
+        sys.exit(process.returncode)
+
+
+def text_of(*command: str) -> str:
+    """Return what a command prints; end with its exit code where it fails."""
+    done = subprocess.run(command, capture_output=True, encoding="utf-8", check=False)
     if done.returncode:
-        sys.exit(done.returncode)
+        sys.exit(done.stderr)
+    return done.stdout
 
 
 def _unpack() -> None:
@@ -87,6 +105,5 @@ def _dependencies() -> set[str]:
         found |= new
         ask += sorted(name for name in new if name.startswith(_BELONG[0]))
     if not any(name.startswith(_BELONG[1]) for name in found):
-        raise MissingError("`rustc-web` is not among the packages known here, which Debian 12 has and"
-                      " newer: apt-get update")  # fmt: skip
+        raise MissingError("no package `rustc-web` is known; Debian 12 has it: apt-get update")
     return found - set(_FIRST)

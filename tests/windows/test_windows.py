@@ -124,7 +124,7 @@ def test_a_project_opens_its_files_and_no_device(tmp_path: Path) -> None:
     project = Project.of(tmp_path)
     for path in ("Lines/a.yaml", "lines/A.YAML"):  # the same file
         assert opening.read_bytes(project, project.inside(path), path) == b"a line"
-    for path in ("nul.yaml", "con", "Lines/a.yaml:stream", "C:/Windows/win.ini", "a.yaml.", "..\\x"):
+    for path in ("nul.yaml", "con", "Lines/a.yaml:s", "C:/Windows/win.ini", "a.yaml.", "..\\x"):
         with pytest.raises(OutputError, match="no file of this folder"):
             project.inside(path)
 
@@ -132,7 +132,7 @@ def test_a_project_opens_its_files_and_no_device(tmp_path: Path) -> None:
 def test_memory_is_told() -> None:
     used = most_memory()
     assert used is not None
-    assert 10_000_000 < used < 8_000_000_000
+    assert 1_000_000 < used < 8_000_000_000
 
 
 def test_ending_signals_are_those_of_windows() -> None:

@@ -5,7 +5,10 @@ import socket
 import subprocess
 import sys
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from multiprocessing.connection import Connection
+
+_BY_STDIN = "-"  # in place of a number: the line is told on standard input
 
 
 def start(
@@ -22,10 +25,9 @@ def start(
         The system starts no process, or has no socket left.
     """
     ours, theirs = socket.socketpair()
-    command = [sys.executable, "-P", "-m", module, str(theirs.fileno()), *arguments]
     try:
         with theirs:
-            return _started(command, theirs, environment), ours
+            return _started(module, arguments, theirs, environment), ours
     except BaseException:
         ours.close()
         raise
@@ -34,43 +36,48 @@ def start(
 if sys.platform == "win32":
 
     def _started(
-        command: list[str], theirs: socket.socket, environment: Mapping[str, str]
+        module: str, arguments: Sequence[str], theirs: socket.socket, environment: Mapping[str, str]
     ) -> "subprocess.Popen[bytes]":
-        theirs.set_inheritable(True)
-        start = subprocess.STARTUPINFO()
-        # Only what is named here is inherited, though other threads start processes meanwhile.
-        start.lpAttributeList = {"handle_list": [theirs.fileno()]}
-        return subprocess.Popen(
-            command,
-            stdin=subprocess.DEVNULL,
+        process = subprocess.Popen(
+            [sys.executable, "-P", "-m", module, _BY_STDIN, *arguments],
+            stdin=subprocess.PIPE,
             stdout=subprocess.DEVNULL,
             env=environment,
-            startupinfo=start,
             creationflags=subprocess.CREATE_NEW_PROCESS_GROUP | subprocess.CREATE_NO_WINDOW,
         )
+        # A socket is not inherited as a file is: a copy is made for the process. Where that has
+        # ended already, the line ends with it.
+        assert process.stdin is not None
+        with suppress(OSError), process.stdin:
+            process.stdin.write(theirs.share(process.pid))
+        return process
+
+    def connect(argument: str) -> Connection:  # noqa: ARG001
+        """Return the connection to the process that started this one, by the first argument."""
+        return Connection(socket.fromshare(sys.stdin.buffer.read()).detach())
 else:
 
     def _started(
-        command: list[str], theirs: socket.socket, environment: Mapping[str, str]
+        module: str, arguments: Sequence[str], theirs: socket.socket, environment: Mapping[str, str]
     ) -> "subprocess.Popen[bytes]":
+        number = theirs.fileno()
         return subprocess.Popen(
-            command,
-            pass_fds=[theirs.fileno()],
+            [sys.executable, "-P", "-m", module, str(number), *arguments],
+            pass_fds=[number],
             stdin=subprocess.DEVNULL,
             stdout=subprocess.DEVNULL,
             env=environment,
             start_new_session=True,
         )
 
+    def connect(argument: str) -> Connection:
+        """Return the connection to the process that started this one, by the first argument."""
+        return Connection(int(argument))
+
 
 def connection_of(line: socket.socket) -> Connection:
     """Return a connection on a line, which stays open as long as either of them is."""
     return Connection(line.dup().detach())
-
-
-def connect(argument: str) -> Connection:
-    """Return the connection to the process that started this one, by the first argument."""
-    return Connection(int(argument))
 
 
 def environment() -> dict[str, str]:
