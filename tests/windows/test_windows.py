@@ -1,4 +1,4 @@
-"""What Arcless does in a way of its own on Windows: run there, or under wine by `make windows`.
+"""Ways of Arcless that are its own on Windows: run there, or under wine by `make windows`.
 
 On other systems these tests are skipped; `tests/unit/platforms` has what can be tried anywhere.
 """
