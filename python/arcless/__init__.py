@@ -26,6 +26,7 @@ _NAMES = {
         "FigureError",
         "FitError",
         "FmuError",
+        "MachineError",
         "MeasurementError",
         "MeshError",
         "NotConvergedError",

@@ -120,6 +120,12 @@ class OutputError(ArclessError):
         return cls(what, where=str(where), got=got, expected=expected, hint=hint)
 
 
+class MachineError(ArclessError):
+    """The machine, or its system, does not give what was asked for."""
+
+    exit_code = 2
+
+
 class EquilibriumError(ArclessError):
     """The static equilibrium was not found."""
 

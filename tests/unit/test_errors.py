@@ -16,6 +16,7 @@ from arcless.errors import (
     FigureError,
     FitError,
     FmuError,
+    MachineError,
     MeasurementError,
     MeshError,
     ModelError,
@@ -96,6 +97,11 @@ EXAMPLES = [
     (
         FigureError("unknown key of a figure", got="`leed`", expected="one of `lead`, `force`"),
         "unknown key of a figure: got `leed`, expected one of `lead`, `force`",
+        2,
+    ),
+    (
+        MachineError("the system gives no locked memory", got="Operation not permitted"),
+        "the system gives no locked memory: got Operation not permitted",
         2,
     ),
     (

@@ -18,6 +18,7 @@ from arcless.cli.commands import (
     study,
     validate,
 )
+from arcless.cli.commands.loops import step_times
 from arcless.cli.commands.measurements import measure
 from arcless.cli.commands.models import model_files, own_models, receptance, table
 from arcless.cli.completion import scripts
@@ -74,6 +75,7 @@ for _command in (
     run.statics,
     run.run,
     resume.resume,
+    step_times.step_times,
     runs.runs,
     saved_results.assess,
     saved_results.report,

@@ -1,6 +1,5 @@
 """`arcless.run` and `arcless.resume`: a whole run, or a part of one to continue later."""
 
-import os
 import time
 from collections.abc import Mapping
 from dataclasses import replace
@@ -10,6 +9,7 @@ from typing import Any
 
 from arcless.model import Scenario
 from arcless.model.load import check_kind
+from arcless.platforms.processors import processors
 from arcless.results import Result
 from arcless.simulate.fmu.admission import check_saved
 from arcless.simulate.runs import checkpoint
@@ -177,5 +177,5 @@ def _sure(job: Job, forces: list[float], tell: Progress, cancel: Cancel | None) 
     from arcless.simulate.batches.parallel_runs import parallel_runner
     from arcless.simulate.certainty import run_additional
 
-    workers = len(os.sched_getaffinity(0))
+    workers = processors()
     return run_additional(job, forces, parallel_runner(job, tell, cancel, workers))

@@ -1,6 +1,5 @@
 """Batch of runs: shared parts are made once, and a failed run stops no other one."""
 
-import os
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from operator import length_hint
@@ -9,6 +8,7 @@ from pathlib import Path
 from arcless.errors import ModelError
 from arcless.model import Scenario
 from arcless.model.load import check_kind
+from arcless.platforms.processors import processors
 from arcless.simulate.batches.fingerprints import SharedKeys, member_key
 from arcless.simulate.batches.groups import Groups, Member
 from arcless.simulate.batches.monitored_runs import Look, Watching
@@ -89,7 +89,7 @@ def batch(
     source = _Source(scenarios, stored)
     groups = Groups(SharedKeys().of)
     outcomes: dict[int, Outcome] = {}
-    count = workers or len(os.sched_getaffinity(0))
+    count = workers or processors()
     tell = _ProgressText(progress, length_hint(scenarios, 0))
 
     def handed(outcome: Outcome) -> None:
