@@ -149,11 +149,11 @@ impl Session {
         forces: PyReadonlyArray1<'_, f64>,
         position: f64,
         speed: f64,
-    ) -> PyResult<(Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>)> {
+    ) -> PyResult<[Bound<'py, PyArray1<f64>>; 2]> {
         let found = self.0.compliance_about(forces.as_slice()?, position, speed);
         let found = found.map_err(|e| convert(py, &e))?;
         let [heights, matrix] = [&found.free_height, &found.matrix];
-        Ok((heights.to_pyarray(py), matrix.to_pyarray(py)))
+        Ok([heights.to_pyarray(py), matrix.to_pyarray(py)])
     }
 
     /// Choose the nodes whose uplift is read, before the first step.
