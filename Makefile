@@ -35,8 +35,11 @@ PYTHON ?= $(shell for p in python3 python3.14 python3.13 python3.12 python3.11; 
 	"$$p" -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null && echo "$$p" && break; \
 	done)
 
-RUST_INPUTS := Cargo.toml $(wildcard crates/*/Cargo.toml crates/*/build.rs) \
+RUST_INPUTS := Cargo.toml $(wildcard crates/*/Cargo.toml crates/*/build.rs crates/ffi/include/*.h) \
 	$(shell find crates/*/src -name '*.rs')
+# What FMUs of Arcless carry, for the platform that compiles.
+LIBRARIES := python/arcless/fmi/libraries
+PLATFORM = $(shell uname -m)-linux
 MATURIN := env -u CONDA_PREFIX PIP_QUIET=1 VIRTUAL_ENV="$(CURDIR)/$(VENV)" $(BIN)/maturin
 # PyO3 asks this interpreter for its ABI when clippy compiles the binding crate.
 export PYO3_PYTHON := $(CURDIR)/$(BIN)/python
@@ -143,7 +146,7 @@ clean: ## remove everything that was built; runs/ stays
 	rm -rf $(VENV) target dist .pytest_cache .mypy_cache .ruff_cache .hypothesis
 	find page python tests -name __pycache__ -type d -prune -exec rm -rf {} +
 	rm -rf page/node_modules python/arcless/studio/page
-	rm -f python/arcless/_core*.so
+	rm -rf python/arcless/_core*.so $(LIBRARIES)
 
 check-python:
 	@test -n "$(PYTHON)" && command -v "$(PYTHON)" >/dev/null \
@@ -185,6 +188,9 @@ $(VENV)/.built: $(VENV)/.packages $(RUST_INPUTS)
 	@$(MAKE) --no-print-directory check-rust
 	@echo 'Compiling the numerical core'
 	@$(MATURIN) develop --release --quiet
+	@cargo build --release --quiet -p arcless-ffi -p arcless-py # with it, the core is as it is already
+	@install -D -m 644 -s target/release/libarcless_loop.so $(LIBRARIES)/$(PLATFORM)/arcless_loop.so
+	@install -m 644 crates/ffi/include/arcless_loop.h $(LIBRARIES)/
 	@touch $@
 
 # Beside the packages of .venv, so that none of those changes. One by one: each may be missing.

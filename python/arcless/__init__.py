@@ -55,7 +55,8 @@ _NAMES = {
     ),
 }
 _PACKAGES = (
-    *_NAMES, "assess", "control", "figures", "lcp", "measurements", "report", "study", "validate"
+    *_NAMES, "assess", "control", "figures", "fmi", "lcp", "measurements", "report", "study",
+    "validate",
 )  # fmt: skip
 _HOME = {name: module for module, names in _NAMES.items() for name in names}
 

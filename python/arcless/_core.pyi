@@ -7,10 +7,13 @@ from numpy.typing import ArrayLike, NDArray
 from arcless.mesh.tables.columns import Tables
 from arcless.simulate.setup.core_data import (
     CollectorData,
+    DriveData,
     LoadData,
+    OnLineData,
     PantographData,
     RecordPlan,
     SessionStart,
+    SteppingData,
 )
 
 __version__: str
@@ -37,6 +40,28 @@ def advance(
     out: NDArray[np.float64],
     workers: int,
 ) -> list[tuple[int, NativeError | None]]: ...
+def exported_line(
+    *,
+    line: Equilibrium,
+    lanes: list[list[int]],
+    stepping: SteppingData,
+    drive: DriveData,
+    start: SessionStart,
+    travel: str,
+    pantographs: list[OnLineData],
+    watched: list[int],
+    supports: list[str],
+) -> bytes: ...
+def exported_pantograph(
+    *,
+    session: Session,
+    number: int,
+    stepping: SteppingData,
+    name: str,
+    heights: list[tuple[int, str]],
+    influence: list[float],
+) -> bytes: ...
+def described(model: bytes) -> dict[str, Any]: ...
 
 class Equilibrium:
     def __new__(

@@ -20,6 +20,8 @@ def main(repository: Path) -> None:
     missing = [path for path in wanted if str(path.relative_to(source)) not in listed]
     assert not missing, f"not in the wheel: {missing}"
     assert "arcless/studio/page/index.html" in listed, "the page of the studio is not in the wheel"
+    library = any(name.startswith("arcless/fmi/libraries/") for name in listed)
+    assert library, "the library of FMUs is not in the wheel"
     assert any("LICENSE" in name for name in listed), "no licence in the wheel"
     for entry in arcless.library():
         if entry.kind == "scenario":

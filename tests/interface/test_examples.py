@@ -25,6 +25,7 @@ def test_every_example_is_tested() -> None:
         "bench_in_the_loop",
         "control_baselines",
         "controlled",
+        "coupled_fmus",
         "figures_for_paper",
         "dropped_beam",  # tests/unit/test_published.py
         "one_run",
@@ -117,3 +118,15 @@ def test_bench_in_the_loop(capsys: pytest.CaptureFixture[str]) -> None:
     assert np.mean(found["bench"]) == pytest.approx(np.mean(found["run"]), abs=0.5)
     assert np.std(found["bench"]) == pytest.approx(np.std(found["run"]), abs=1.0)
     assert len(capsys.readouterr().out.splitlines()) == 3
+
+
+def test_coupled_fmus(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
+    example = load("coupled_fmus")
+    monkeypatch.setattr(example, "STIFFNESSES", (50e3,))
+    example.main(0.2)
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[0] == "contact of 50 kN/m, 200 steps"
+    assert len(lines) == 7
+    # As in tests/unit/fmi/export/test_coupled.py.
+    assert all(float(line.split()[-3]) < 1e-9 for line in lines[1:3])
+    assert lines[-1].startswith("  plain exchange every 10 ms: at most ")

@@ -22,10 +22,11 @@ PACKAGE = Path(arcless.__file__).parent
 ORDER = (
     "errors", "units", "platforms", "storage", "display", "model", "pantograph", "mesh",
     "equilibrium", "lcp", "dataset", "assess", "explanation", "figures", "report", "results",
-    "measurements", "comparison", "simulate", "control", "study", "validate", "studio", "cli",
+    "measurements", "comparison", "simulate", "control", "fmi", "study", "validate", "studio",
+    "cli",
 )  # fmt: skip
 CORE = "arcless._core"
-CORE_USERS = {"equilibrium", "lcp", "assess", "simulate"}
+CORE_USERS = {"equilibrium", "lcp", "assess", "simulate", "fmi"}
 # The top package has all others, and none has it.
 TOP = {"arcless", "arcless.__main__"}
 MOST_MODULES = 12

@@ -1,5 +1,6 @@
 //! Tests of the core, by subject.
 
+mod alone;
 mod alteration;
 mod border;
 pub(crate) mod common;

@@ -131,16 +131,41 @@ impl Equilibrium {
         updated: bool,
         period_correction: bool,
     ) -> PyResult<WireModel> {
-        let stepping = Stepping {
-            scheme: read_scheme(&scheme.0, &scheme.1)?,
+        let stepping = SteppingData {
+            scheme,
             step,
             contact_stiffness,
-            explicit: scheme.0 == EXPLICIT,
             updated,
             period_correction,
         };
+        let stepping = stepping.stepping()?;
         let found = py.detach(|| self.0.prepare(&lanes, &stepping));
         found.map(WireModel).map_err(|e| convert(py, &e))
+    }
+}
+
+/// Choice of the steps of a line.
+#[derive(FromPyObject)]
+pub struct SteppingData {
+    scheme: (String, Vec<f64>),
+    step: f64,
+    contact_stiffness: f64,
+    updated: bool,
+    period_correction: bool,
+}
+
+impl SteppingData {
+    /// Data of the core.
+    pub fn stepping(&self) -> PyResult<Stepping> {
+        let (name, parameters) = &self.scheme;
+        Ok(Stepping {
+            scheme: read_scheme(name, parameters)?,
+            step: self.step,
+            contact_stiffness: self.contact_stiffness,
+            explicit: name == EXPLICIT,
+            updated: self.updated,
+            period_correction: self.period_correction,
+        })
     }
 }
 

@@ -2,6 +2,7 @@
 
 mod equilibrium;
 mod error;
+mod export;
 mod filter;
 mod lcp;
 mod model;
@@ -29,5 +30,8 @@ fn _core(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add_function(wrap_pyfunction!(filter::filtered, m)?)?;
     m.add_function(wrap_pyfunction!(filter::filter_on, m)?)?;
     m.add_function(wrap_pyfunction!(together::advance, m)?)?;
+    m.add_function(wrap_pyfunction!(export::exported_line, m)?)?;
+    m.add_function(wrap_pyfunction!(export::exported_pantograph, m)?)?;
+    m.add_function(wrap_pyfunction!(export::described, m)?)?;
     Ok(())
 }

@@ -42,7 +42,7 @@ pub(crate) fn write(outputs: &Outputs, out: &mut [f64]) {
 pub struct Session(pub(crate) AnySession);
 
 #[derive(FromPyObject)]
-struct StartData {
+pub struct StartData {
     position: f64,
     speed: f64,
     friction: f64,
@@ -59,9 +59,15 @@ impl From<StartData> for SessionStart {
 }
 
 #[derive(FromPyObject)]
-struct CollectorData {
+pub struct CollectorData {
     behind: f64,
     half_width: f64,
+}
+
+/// Collectors of the core.
+pub fn collectors(data: Vec<CollectorData>) -> Vec<Collector> {
+    let collector = |CollectorData { behind, half_width }| Collector { behind, half_width };
+    data.into_iter().map(collector).collect()
 }
 
 #[pymethods]
@@ -76,9 +82,7 @@ impl Session {
         forces: Vec<f64>,
         start: StartData,
     ) -> PyResult<Self> {
-        let collectors = collectors.into_iter();
-        let collector = |CollectorData { behind, half_width }| Collector { behind, half_width };
-        let collectors: Vec<Collector> = collectors.map(collector).collect();
+        let collectors = self::collectors(collectors);
         let found =
             py.detach(|| AnySession::with_forces(&line.0, collectors, &forces, start.into()));
         found.map(Self).map_err(|e| convert(py, &e))

@@ -20,7 +20,7 @@ from arcless.cli.commands import (
 )
 from arcless.cli.commands.loops import step_times
 from arcless.cli.commands.measurements import measure
-from arcless.cli.commands.models import model_files, own_models, receptance, table
+from arcless.cli.commands.models import fmu, model_files, own_models, receptance, table
 from arcless.cli.completion import scripts
 from arcless.cli.process.guard import GuardedGroup
 from arcless.cli.terminal.console import data
@@ -93,3 +93,4 @@ for _command in (
 
 app.add_typer(study.app, name="study")
 app.add_typer(receptance.app, name="pantograph")
+app.add_typer(fmu.app, name="fmu")

@@ -21,6 +21,7 @@
 //! Inputs are measured when the step begins and act during the whole step. Outputs belong to the
 //! end of the step, except contact forces, which belong to its time of balance.
 
+pub mod alone;
 pub mod any;
 pub(crate) mod collectors;
 pub(crate) mod compliance;

@@ -22,7 +22,13 @@ from arcless.simulate.runs.failures import preparing, stepping
 from arcless.simulate.runs.viewer import Audience, Take, Viewer
 from arcless.simulate.setup import gust_loads, pantographs, trajectory
 from arcless.simulate.setup.controllers import Controllers
-from arcless.simulate.setup.core_data import Excitation, LoadData, RecordPlan, SupportParts
+from arcless.simulate.setup.core_data import (
+    Excitation,
+    LoadData,
+    RecordPlan,
+    SteppingData,
+    SupportParts,
+)
 
 Progress = Callable[[float, str], None]
 Cancel = Callable[[], bool]
@@ -289,14 +295,18 @@ def prepare(found: equilibrium.Equilibrium, scenario: Scenario) -> _core.WireMod
         The equations of a step cannot be solved.
     """
     with preparing(found.mesh, scenario):
-        return found.core.prepare(
-            lanes=found.mesh.lanes,
-            scheme=trajectory.scheme_numbers(scenario.stepping.scheme),
-            step=scenario.time_step_s,
-            contact_stiffness=trajectory.contact_stiffness(scenario),
-            updated=scenario.solver.kinematics == "updated",
-            period_correction=scenario.solver.period_correction,
-        )
+        return found.core.prepare(lanes=found.mesh.lanes, **stepping_of(scenario)._asdict())
+
+
+def stepping_of(scenario: Scenario) -> SteppingData:
+    """Return how a scenario wants its line to be stepped."""
+    return SteppingData(
+        scheme=trajectory.scheme_numbers(scenario.stepping.scheme),
+        step=scenario.time_step_s,
+        contact_stiffness=trajectory.contact_stiffness(scenario),
+        updated=scenario.solver.kinematics == "updated",
+        period_correction=scenario.solver.period_correction,
+    )
 
 
 def observer(

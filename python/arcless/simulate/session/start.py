@@ -112,6 +112,51 @@ def pantograph_at(placement: PantographPlacement, speed: float) -> PantographDat
     return pantographs.data(pantograph, force, actuator=actuator)
 
 
+@dataclass(frozen=True)
+class GivenForces:
+    """Collectors that press with given forces, in the order of the pantographs.
+
+    Attributes
+    ----------
+    collectors, forces
+        Where they are, and the force of each at the start in N.
+    names, owners
+        Name of each, and number of its pantograph.
+    """
+
+    collectors: list[CollectorData]
+    forces: list[float]
+    names: list[str]
+    owners: list[int]
+
+
+def given_forces(
+    mesh: Mesh, placements: tuple[PantographPlacement, ...], speed: float
+) -> GivenForces:
+    """Return the collectors of pantographs at a speed in m/s, the strips of each alike.
+
+    Raises
+    ------
+    ModelError
+        The line has several contact wires.
+    """
+    if len(mesh.lanes) > 1:
+        what = "how several contact wires share a contact force that is given is not known"
+        raise _refusal(what, "line", hint="realtime(scenario, simulated=True)")
+    given = GivenForces([], [], [], [])
+    for owner, placement in enumerate(placements):
+        strips = pantographs.data(placement.model, 0.0).strips
+        force = (placement.start_force or 0.0) + placement.model.lift_at(speed)
+        for number, strip in enumerate(strips, start=1):
+            behind = placement.distance + strip.offset
+            given.collectors.append(CollectorData(behind, strip.half_width))
+            given.forces.append(force / len(strips))
+            given.owners.append(owner)
+            several = len(strips) > 1
+            given.names.append(f"{placement.name} strip {number}" if several else placement.name)
+    return given
+
+
 def _with_given_forces(
     model: _core.WireModel,
     mesh: Mesh,
@@ -119,27 +164,14 @@ def _with_given_forces(
     begin: SessionStart,
 ) -> tuple[_core.Session, list[str], list[int]]:
     """Return the loop, and name and pantograph of each collector."""
-    if len(mesh.lanes) > 1:
-        what = "how several contact wires share a contact force that is given is not known"
-        raise _refusal(what, "line", hint="realtime(scenario, simulated=True)")
-    collectors, forces, names, owners = [], [], [], []
-    for owner, placement in enumerate(placements):
-        strips = pantographs.data(placement.model, 0.0).strips
-        force = (placement.start_force or 0.0) + placement.model.lift_at(begin.speed)
-        for number, strip in enumerate(strips, start=1):
-            behind = placement.distance + strip.offset
-            collectors.append(CollectorData(behind, strip.half_width))
-            forces.append(force / len(strips))
-            owners.append(owner)
-            several = len(strips) > 1
-            names.append(f"{placement.name} strip {number}" if several else placement.name)
+    given = given_forces(mesh, placements, begin.speed)
     try:
         core = _core.Session.with_forces(
-            line=model, collectors=collectors, forces=forces, start=begin
+            line=model, collectors=given.collectors, forces=given.forces, start=begin
         )
     except _core.NativeError as error:
-        raise translated(mesh, names, *error.args) from error
-    return core, names, owners
+        raise translated(mesh, given.names, *error.args) from error
+    return core, given.names, given.owners
 
 
 def check(scenario: Scenario, *, simulated: bool) -> None:

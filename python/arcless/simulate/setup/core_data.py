@@ -239,3 +239,38 @@ class SessionStart(NamedTuple):
     """In m/s."""
     friction: float
     """Coefficient between strip and wire."""
+
+
+class SteppingData(NamedTuple):
+    """Choice of the steps of a line."""
+
+    scheme: tuple[str, list[float]]
+    """Name and parameters."""
+    step: float
+    """Length of a step, s."""
+    contact_stiffness: float
+    """In N/m; infinite when it is rigid."""
+    updated: bool
+    """True when coordinates and stiffness are formed at every position."""
+    period_correction: bool
+
+
+class DriveData(NamedTuple):
+    """Load of an exported line: collectors or pantographs, external ones too."""
+
+    collectors: Sequence[CollectorData] = ()
+    forces: Numbers = ()
+    """Force of each collector at the start, N."""
+    pantographs: Sequence[PantographData] = ()
+    distances: Numbers = ()
+    """Distance of each pantograph behind the first, m."""
+
+
+class OnLineData(NamedTuple):
+    """A pantograph on an exported line."""
+
+    name: str
+    strips: int
+    """Number of its strips."""
+    heights: Sequence[tuple[int, str]]
+    """Coordinates that are heights, with names; empty where it is not simulated."""

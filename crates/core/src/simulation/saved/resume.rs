@@ -99,7 +99,7 @@ fn archive_contacts<const DIM: usize>(
     Ok(())
 }
 
-fn archive_pantograph(
+pub(crate) fn archive_pantograph(
     pantograph: &mut PantographState,
     start: &mut [f64],
     archive: &mut Archive<'_>,

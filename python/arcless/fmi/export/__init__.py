@@ -1,0 +1,1 @@
+"""From a scenario to a model that other programs step."""
