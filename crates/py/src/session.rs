@@ -19,6 +19,8 @@ const _: () = assert!(align_of::<AnySession>() <= 16);
 #[pyclass]
 pub struct Session(AnySession);
 
+type Floats<'py> = Bound<'py, PyArray1<f64>>;
+
 #[derive(FromPyObject)]
 struct StartData {
     position: f64,
@@ -127,7 +129,7 @@ impl Session {
         forces: PyReadonlyArray1<'_, f64>,
         position: f64,
         speed: f64,
-    ) -> PyResult<(Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>)> {
+    ) -> PyResult<(Floats<'py>, Floats<'py>)> {
         let found = self.0.compliance_about(forces.as_slice()?, position, speed);
         let found = found.map_err(|e| convert(py, &e))?;
         let [heights, matrix] = [&found.free_height, &found.matrix];
