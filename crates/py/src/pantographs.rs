@@ -137,8 +137,8 @@ pub struct AskedPantograph {
     pub program: Option<Py<PyAny>>,
 }
 
-/// Objects of Python, one for each pantograph that has one.
-type Objects = Vec<Option<Py<PyAny>>>;
+/// Objects of Python for each pantograph; None where there is none.
+pub type Objects = Vec<Option<Py<PyAny>>>;
 
 impl AskedPantograph {
     /// Splits a list into pantographs, their controllers and their programs.

@@ -41,6 +41,8 @@ pub(crate) fn write(outputs: &Outputs, out: &mut [f64]) {
 #[pyclass]
 pub struct Session(pub(crate) AnySession);
 
+type Floats<'py> = Bound<'py, PyArray1<f64>>;
+
 #[derive(FromPyObject)]
 pub struct StartData {
     position: f64,
@@ -153,11 +155,11 @@ impl Session {
         forces: PyReadonlyArray1<'_, f64>,
         position: f64,
         speed: f64,
-    ) -> PyResult<[Bound<'py, PyArray1<f64>>; 2]> {
+    ) -> PyResult<(Floats<'py>, Floats<'py>)> {
         let found = self.0.compliance_about(forces.as_slice()?, position, speed);
         let found = found.map_err(|e| convert(py, &e))?;
         let [heights, matrix] = [&found.free_height, &found.matrix];
-        Ok([heights.to_pyarray(py), matrix.to_pyarray(py)])
+        Ok((heights.to_pyarray(py), matrix.to_pyarray(py)))
     }
 
     /// Choose the nodes whose uplift is read, before the first step.
