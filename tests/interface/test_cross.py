@@ -3,7 +3,6 @@
 import shutil
 
 import pytest
-
 from cross.toolchain import MissingError, need
 from cross.wine_libraries import _MATH, _RUNTIME, _complex
 
