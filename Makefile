@@ -4,7 +4,8 @@
 SHELL := /bin/sh
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help build demo test peers evidence pages fuzz golden lint bench counts page pictures wheel clean check-python check-rust
+.PHONY: help build demo test peers evidence pages fuzz golden lint bench counts page pictures wheel windows arm clean \
+	check-python check-rust
 
 VENV := .venv
 BIN := $(VENV)/bin
@@ -24,6 +25,10 @@ FUZZING = RUSTC_BOOTSTRAP=1 RUSTFLAGS="--cfg fuzzing -Cpasses=sancov-module \
 	-Cllvm-args=-sanitizer-coverage-level=4 -Cllvm-args=-sanitizer-coverage-inline-8bit-counters \
 	-Cllvm-args=-sanitizer-coverage-pc-table -Cllvm-args=-sanitizer-coverage-trace-compares"
 OLDEST_RUST := $(shell sed -n 's/^rust-version = "\(.*\)"/\1/p' Cargo.toml)
+
+# What NumPy's and h5py's wheels ask for; zig links against this version wherever it runs.
+GLIBC := manylinux_2_28
+ZIG := ziglang>=0.13
 
 # The first interpreter that is new enough; `make PYTHON=/path/to/python3 build` overrides it.
 PYTHON ?= $(shell for p in python3 python3.14 python3.13 python3.12 python3.11; do \
@@ -93,6 +98,8 @@ lint: build ## check format, lints and types, and that no lock file or local pat
 	$(BIN)/ruff format --check .
 	$(BIN)/python -m tests.prose
 	$(BIN)/mypy
+	@for system in win32 darwin; do echo "mypy --platform $$system"; \
+	$(BIN)/mypy --platform $$system --cache-dir .mypy_cache/$$system || exit 1; done
 	@! git ls-files '*.lock' 2>/dev/null | grep . \
 	|| { echo 'make lint: lock files record download addresses: remove them from git'; exit 1; }
 	@! git grep -lE '"resolved": *"[a-z+]+:' -- '*package-lock.json' '*npm-shrinkwrap.json' 2>/dev/null \
@@ -116,16 +123,24 @@ page: build ## build the page of the studio, which the wheel has: TypeScript and
 pictures: page ## take the pictures of the guide to the studio anew, in Chromium
 	@$(BIN)/python docs/make_studio.py
 
-wheel: page ## make dist/arcless-*.whl and try it in an empty environment
-	@rm -rf dist
-	$(MATURIN) build --release --strip --out dist
+wheel: page ## make dist/arcless-*.whl for Linux of glibc 2.28, and try it in an empty environment
+	@rm -f dist/arcless-*-manylinux*_x86_64.whl
+	@$(BIN)/python -m ziglang version >/dev/null 2>&1 || $(BIN)/python -m pip install --quiet '$(ZIG)'
+	$(MATURIN) build --release --strip --out dist --zig --compatibility $(GLIBC)
 	@trial=$$(mktemp -d) && trap 'rm -rf "$$trial"' EXIT && set -e; \
 	$(BIN)/python -m venv "$$trial"; \
-	"$$trial/bin/python" -m pip install --quiet --no-deps dist/arcless-*.whl; \
+	"$$trial/bin/python" -m pip install --quiet --no-deps dist/arcless-*-$(GLIBC)_x86_64.whl; \
 	site=$$("$(BIN)/python" -c 'import sysconfig; print(sysconfig.get_path("purelib"))'); \
 	rm -f "$$trial"/lib/python3*/site-packages/*.pth; \
 	echo "$$site" > "$$(ls -d "$$trial"/lib/python3*/site-packages)/dependencies.pth"; \
 	cd "$$trial" && "$$trial/bin/python" "$(CURDIR)/tests/interface/check_wheel.py" "$(CURDIR)"
+
+# Debian's packages are needed, see docs/guide/systems.md; nothing in CI builds for other systems.
+windows: page ## make dist/arcless-*-win_amd64.whl on Debian; try it and the core's tests under wine
+	$(BIN)/python -m cross.windows $(PARTS)
+
+arm: page ## make the wheel for Linux on aarch64 on Debian; try the core's tests under qemu
+	$(BIN)/python -m cross.arm $(PARTS)
 
 clean: ## remove everything that was built; runs/ stays
 	rm -rf $(VENV) target dist .pytest_cache .mypy_cache .ruff_cache .hypothesis

@@ -16,6 +16,7 @@ from collections.abc import Callable
 from benchmarks import (
     accuracy,
     batch,
+    environments,
     goals,
     kernels,
     lines,
@@ -46,6 +47,7 @@ PARTS: dict[str, Callable[[], str]] = {
     "studies": lambda: table(studies.HEAD, list(studies.rows())),
     "speeds": lambda: table(speeds.HEAD, list(speeds.rows())),
     "loop": lambda: table(realtime.HEAD, list(realtime.rows())),
+    "environments": lambda: table(environments.HEAD, list(environments.rows())),
     "sides": lambda: table(side_by_side.HEAD, side_by_side.rows(say)),
     "studio": lambda: table(studio.HEAD, list(studio.rows(say))),
     "studio-long": lambda: table(studio.HEAD, list(studio.long_rows(say))),

@@ -37,7 +37,8 @@ def take(way: str, spans: int | None) -> Took:
     """Run so many spans of the line of 50 km, or all of it, and save the result."""
     import arcless
     from arcless import simulate
-    from arcless.studio.motion.spool import SpoolWriter, new_file
+    from arcless.platforms.shared_files import new_file
+    from arcless.studio.motion.spool import SpoolWriter
     from arcless.studio.motion.watching import Watching
 
     sys.setswitchinterval(TURN_S)

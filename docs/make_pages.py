@@ -45,7 +45,7 @@ def _of(
 
 FRAGMENTS = [
     *_of("", tables.QUICK, computed=False),
-    *_of("guide/", {"damping": damping.QUICK}, computed=False),
+    *_of("guide/", {"damping": damping.QUICK} | examples.QUICK, computed=False),
     *_of("guide/", line_types.QUICK | speed_marks.QUICK),
     *_of("guide/", {"damping": damping.SLOW} | line_types.SLOW | examples.SLOW, slow=True),
     *_of("validation/", core_faults.QUICK, computed=False),

@@ -24,6 +24,9 @@ _NAMES = {
         "ExecutorError",
         "ExplanationError",
         "FigureError",
+        "FitError",
+        "FmuError",
+        "MachineError",
         "MeasurementError",
         "MeshError",
         "NotConvergedError",
@@ -52,16 +55,9 @@ _NAMES = {
     ),
 }
 _PACKAGES = (
-    *_NAMES,
-    "assess",
-    "figures",
-    "fmi",
-    "lcp",
-    "measurements",
-    "report",
-    "study",
+    *_NAMES, "assess", "control", "figures", "fmi", "lcp", "measurements", "report", "study",
     "validate",
-)
+)  # fmt: skip
 _HOME = {name: module for module, names in _NAMES.items() for name in names}
 
 __all__ = sorted([*_HOME, *_PACKAGES, "__version__"])  # noqa: PLE0605 - a list, but not literal

@@ -28,6 +28,18 @@ def solve_lcp(
 def filtered(
     sections: NDArray[np.float64], state: NDArray[np.float64], signal: NDArray[np.float64]
 ) -> NDArray[np.float64]: ...
+def filter_on(
+    sections: NDArray[np.float64], states: NDArray[np.float64], signals: NDArray[np.float64]
+) -> None: ...
+def advance(
+    *,
+    sessions: list[Session],
+    forces: NDArray[np.float64],
+    positions: NDArray[np.float64],
+    speeds: NDArray[np.float64],
+    out: NDArray[np.float64],
+    workers: int,
+) -> list[tuple[int, NativeError | None]]: ...
 def exported_line(
     *,
     line: Equilibrium,

@@ -120,6 +120,12 @@ class OutputError(ArclessError):
         return cls(what, where=str(where), got=got, expected=expected, hint=hint)
 
 
+class MachineError(ArclessError):
+    """The machine, or its system, does not give what was asked for."""
+
+    exit_code = 2
+
+
 class EquilibriumError(ArclessError):
     """The static equilibrium was not found."""
 
@@ -145,6 +151,10 @@ class ContactError(ArclessError):
 
 class ControlError(ArclessError):
     """The controller of a pantograph is missing, or failed."""
+
+
+class FmuError(ArclessError):
+    """An FMU is not allowed to run, cannot be loaded, failed, crashed or hangs."""
 
 
 class ResultFormatError(ArclessError):
@@ -185,3 +195,7 @@ class MeasurementError(ArclessError):
     """A measured record cannot be read or assessed: its file, its clock, or its sensors say no."""
 
     exit_code = 2
+
+
+class FitError(ArclessError):
+    """No model of the order asked for follows the measured data, or none was found."""

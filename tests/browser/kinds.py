@@ -10,6 +10,7 @@ import yaml
 
 from arcless.model import load
 from arcless.results import Result
+from tests.support.receptances import FREQUENCIES, measured, table
 from tests.support.studies import SHORT, filled, written
 from tests.support.synthetic import scenario_data, synthetic_dataset
 
@@ -85,6 +86,15 @@ def comparison(folder: Path, **changes: Any) -> Path:
     return folder / "compare.html"
 
 
+def receptance(folder: Path) -> Path:
+    """Make the page of a measured frequency response, which has a full damping matrix."""
+    file = folder / "bench.csv"
+    file.write_text(table(measured("en50318-2002", 0.03, frequency=FREQUENCIES[::3])), "utf-8")
+    page = folder / "bench.html"
+    arcless("pantograph", "fit", file, "--order", "2", "--damping", "full", "--report", page)
+    return page
+
+
 TEXTS = {"name": HOSTILE, "description": HOSTILE}
 
 
@@ -127,7 +137,7 @@ def hostile_comparison(folder: Path) -> Path:
 
 PAGES: dict[str, Callable[[Path], Path]] = {
     "run": run, "two wires": two_wires, "statics": statics, "study": study,
-    "validation": validation, "comparison": comparison,
+    "validation": validation, "comparison": comparison, "receptance": receptance,
 }  # fmt: skip
 HOSTILE_PAGES: dict[str, Callable[[Path], Path]] = {
     "run": hostile_run, "statics": hostile_statics, "study": hostile_study,

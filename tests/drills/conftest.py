@@ -4,7 +4,9 @@ import json
 import shutil
 import subprocess
 import sys
+import time
 from collections.abc import Callable, Iterator
+from contextlib import suppress
 from dataclasses import asdict
 from functools import cache
 from pathlib import Path
@@ -103,7 +105,33 @@ def small_disk(tmp_path: Path) -> Iterator[Callable[[int], Path]]:
 
     yield make
     for place in mounted:
-        subprocess.run(["umount", str(place)], check=True)
+        unmount(place)
+
+
+# Of 0.1 s each. The process that cleans up after the workers of a study ends a moment after them.
+TRIES = 100
+
+
+def unmount(place: Path) -> None:
+    """Remove a small disk; what holds it longer than some seconds is an error."""
+    for _ in range(TRIES):
+        done = subprocess.run(["umount", str(place)], capture_output=True, text=True, check=False)
+        if done.returncode == 0:
+            return
+        time.sleep(0.1)
+    raise AssertionError(f"{done.stderr.strip()}; held by {holders(place)}")
+
+
+def holders(place: Path) -> list[str]:
+    """Return the commands of the processes that work in a folder or hold a file of it."""
+    found = []
+    for process in Path("/proc").glob("[0-9]*"):
+        with suppress(OSError):
+            held = [process / "cwd", *(process / "fd").iterdir()]
+            mapped = str(place) in (process / "maps").read_text("utf-8")
+            if mapped or any(link.resolve().is_relative_to(place) for link in held):
+                found.append((process / "cmdline").read_bytes().replace(b"\0", b" ").decode())
+    return found
 
 
 def names(folder: Path) -> list[str]:

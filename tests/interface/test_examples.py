@@ -1,6 +1,7 @@
 """The examples run as they are printed, with less work where they offer it."""
 
 import importlib.util
+import json
 from pathlib import Path
 from types import ModuleType
 
@@ -22,6 +23,7 @@ def load(name: str) -> ModuleType:
 def test_every_example_is_tested() -> None:
     assert {path.stem for path in EXAMPLES.glob("*.py")} == {
         "bench_in_the_loop",
+        "control_baselines",
         "controlled",
         "coupled_fmus",
         "figures_for_paper",
@@ -79,6 +81,33 @@ def test_controlled(capsys: pytest.CaptureFixture[str]) -> None:
     found = load("controlled").main([0, 40])
     assert found["PID, 0 ms late"] < found["not controlled"] < found["PID, 40 ms late"]
     assert len(capsys.readouterr().out.splitlines()) == 6
+
+
+def test_control_baselines(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    example, files = load("control_baselines"), []
+    case = "en50318-ac-simple-320-planar"
+    for folder in (tmp_path / "one", tmp_path / "two"):
+        monkeypatch.setattr(example, "LAWS", folder)
+        found = example.main(["--learn", "--generations", "1", "2", "--case", case])
+        files.append(json.loads((folder / f"{case}.json").read_text("utf-8")))
+    assert files[0]["law"] == files[1]["law"]  # the same seed, the same bits
+    assert files[0]["about"]["pid"] == files[1]["about"]["pid"]
+    assert example.PID_SEES not in files[0]["law"]["observe"]
+    # A first guess of the search already damps; ten minutes of it: docs/guide/learning-control.md.
+    assert found[case, "learnt"]["std"] < found[case, "none"]["std"]
+    assert found[case, "learnt"]["mean"] == pytest.approx(found[case, "none"]["mean"], abs=3.0)
+    # In the lead of each of the two runs a line of what it took, a head and four laws.
+    assert len(capsys.readouterr().out.splitlines()) == 2 * (1 + 1 + 4)
+
+
+@pytest.mark.parametrize("case", list(load("control_baselines").CASES))
+def test_the_laws_that_are_shipped_are_those_of_their_cases(case: str) -> None:
+    example = load("control_baselines")
+    law = json.loads((example.LAWS / f"{case}.json").read_text("utf-8"))
+    assert law["task"]["scenario"] == case
+    assert tuple(law["law"]["observe"]) == example.OBSERVE
 
 
 @pytest.mark.evidence

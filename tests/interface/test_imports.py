@@ -20,9 +20,10 @@ import arcless
 PACKAGE = Path(arcless.__file__).parent
 # Packages and modules of the top folder; each imports only from itself and from its left.
 ORDER = (
-    "errors", "units", "storage", "display", "model", "pantograph", "mesh", "equilibrium", "lcp",
-    "dataset", "assess", "explanation", "figures", "report", "results", "measurements",
-    "comparison", "simulate", "fmi", "study", "validate", "studio", "cli",
+    "errors", "units", "platforms", "storage", "display", "model", "pantograph", "mesh",
+    "equilibrium", "lcp", "dataset", "assess", "explanation", "figures", "report", "results",
+    "measurements", "comparison", "simulate", "control", "fmi", "study", "validate", "studio",
+    "cli",
 )  # fmt: skip
 CORE = "arcless._core"
 CORE_USERS = {"equilibrium", "lcp", "assess", "simulate", "fmi"}

@@ -2,11 +2,14 @@
 
 import re
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 import arcless
+from arcless.errors import ModelError
 from arcless.model import (
+    Pantograph,
     Scenario,
     line_warnings,
     load,
@@ -17,6 +20,7 @@ from arcless.model import (
 from arcless.model.files.yaml_reader import parse
 from arcless.model.line.parts.components import Rayleigh, TensionedWire, Wire
 from arcless.model.shipped.library import shipped
+from tests.support import fmus
 from tests.support.line_types import compound_data, stitched_data
 
 ROOT = Path(__file__).parents[2]
@@ -88,6 +92,37 @@ def test_the_scenario_of_the_guide_to_control_loads(tmp_path: Path) -> None:
     assert controller is not None
     assert controller.pid is not None
     assert (controller.rate_limit, controller.pid.derivative) == (5000.0, 0.05)
+
+
+def test_the_model_of_the_guide_to_fmus_loads(tmp_path: Path) -> None:
+    page = (ROOT / "docs/guide/pantograph-fmu.md").read_text(encoding="utf-8")
+    ((name, text),) = re.findall(r"```yaml\n# (\S+\.yaml)\n(.*?)```", page, re.DOTALL)
+    # With the line of the name, by which the lines of the messages count.
+    (tmp_path / name).write_text(f"# {name}\n{text}", encoding="utf-8")
+    names = {"contact_force": "Fc", "strip_height": "z_strip", "static_force": "F_static"}
+    names["hardening"] = "k_head"
+    platforms = ("linux64", "darwin64", "win64")
+    fmus.undescribed(tmp_path, fmus.description(names=names), platforms)
+    found = load_any(tmp_path / name)
+    assert isinstance(found, Pantograph)
+    assert found.fmu is not None
+    assert found.fmu.parameters == {"k_head": 7000.0}
+    wrong: list[dict[str, Any]] = [
+        {"causalities": {"contact_force": "output"}},
+        {"units": {"strip_height": "deg"}},
+    ]
+    told = []
+    for fault in wrong:
+        fmus.undescribed(tmp_path, fmus.description(names=names, **fault), platforms)
+        with pytest.raises(ModelError) as caught:
+            load_any(tmp_path / name)
+        told.append(str(caught.value))
+    fmus.undescribed(tmp_path, fmus.description(names=names), ("win64",))
+    with pytest.raises(ModelError) as caught:
+        load_any(tmp_path / name)
+    told.append(str(caught.value))
+    for message in told:
+        assert message.replace(f"{tmp_path}/", "") in page
 
 
 def test_the_models_of_the_pantograph_guide_load(tmp_path: Path) -> None:

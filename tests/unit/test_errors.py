@@ -14,6 +14,9 @@ from arcless.errors import (
     ExecutorError,
     ExplanationError,
     FigureError,
+    FitError,
+    FmuError,
+    MachineError,
     MeasurementError,
     MeshError,
     ModelError,
@@ -72,6 +75,11 @@ EXAMPLES = [
         1,
     ),
     (
+        FmuError("the FMU is gone", where="pantograph P1, t = 0.5 s", got="it crashed"),
+        "pantograph P1, t = 0.5 s: the FMU is gone: got it crashed",
+        1,
+    ),
+    (
         ResultFormatError("not a result", where="x.nc", expected="a file of arcless run"),
         "x.nc: not a result: expected a file of arcless run",
         2,
@@ -92,9 +100,19 @@ EXAMPLES = [
         2,
     ),
     (
+        MachineError("the system gives no locked memory", got="Operation not permitted"),
+        "the system gives no locked memory: got Operation not permitted",
+        2,
+    ),
+    (
         MeasurementError("time goes back", where="run.csv:7", got="0.03 s after 0.04 s"),
         "run.csv:7: time goes back: got 0.03 s after 0.04 s",
         2,
+    ),
+    (
+        FitError("the fit misses the data", where="a.csv", got="12 %", expected="at most 10 %"),
+        "a.csv: the fit misses the data: got 12 %, expected at most 10 %",
+        1,
     ),
     (
         ExecutorError("the scheduler does not answer", where="tcp://localhost:1"),

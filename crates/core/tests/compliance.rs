@@ -224,7 +224,8 @@ fn a_compliance_about_a_force_knows_the_links_that_it_lifts() {
         session.restore(&saved).expect("its own state");
         session.step(&[100.0; 2], next, SPEED).expect("a step");
     }
-    assert!(most > 1e-6 && least < 1e-12, "{most} {least}");
+    // A few hundred nanometres; rounding is a millionth of that.
+    assert!(most > 1e-8 && least < 1e-12, "{most} {least}");
 }
 
 #[test]

@@ -11,6 +11,7 @@ mod pantographs;
 mod records;
 mod session;
 mod structure;
+mod together;
 
 use arcless_core::simulation::recording::record::Record;
 use pyo3::prelude::*;
@@ -27,6 +28,8 @@ fn _core(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add_class::<session::Session>()?;
     m.add_function(wrap_pyfunction!(lcp::solve_lcp, m)?)?;
     m.add_function(wrap_pyfunction!(filter::filtered, m)?)?;
+    m.add_function(wrap_pyfunction!(filter::filter_on, m)?)?;
+    m.add_function(wrap_pyfunction!(together::advance, m)?)?;
     m.add_function(wrap_pyfunction!(export::exported_line, m)?)?;
     m.add_function(wrap_pyfunction!(export::exported_pantograph, m)?)?;
     m.add_function(wrap_pyfunction!(export::described, m)?)?;

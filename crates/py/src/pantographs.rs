@@ -137,9 +137,12 @@ pub struct AskedPantograph {
     pub program: Option<Py<PyAny>>,
 }
 
+/// Objects of Python for each pantograph; None where there is none.
+pub type Objects = Vec<Option<Py<PyAny>>>;
+
 impl AskedPantograph {
     /// Splits a list into pantographs, their controllers and their programs.
-    pub fn split(list: Vec<Self>) -> (Vec<Pantograph>, [Vec<Option<Py<PyAny>>>; 2]) {
+    pub fn split(list: Vec<Self>) -> (Vec<Pantograph>, [Objects; 2]) {
         let (mut pantographs, mut asked) = (Vec::new(), [Vec::new(), Vec::new()]);
         for own in list {
             pantographs.push(own.pantograph);

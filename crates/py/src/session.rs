@@ -5,7 +5,7 @@ use crate::model::WireModel;
 use crate::pantographs::{PantographData, pantograph};
 use crate::records::numbers;
 use arcless_core::checkpoint::Checkpoint;
-use arcless_core::session::{AnySession, Collector, SessionStart};
+use arcless_core::session::{AnySession, Collector, Outputs, SessionStart};
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1, PyReadwriteArray1, ToPyArray};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -15,9 +15,33 @@ use std::collections::BTreeMap;
 // Python's objects are aligned to 16 bytes, and what lies in them is stepped where it lies.
 const _: () = assert!(align_of::<AnySession>() <= 16);
 
+/// Number of values that a step leaves.
+pub(crate) fn width(outputs: &Outputs) -> usize {
+    4 * outputs.force.len() + 2 * outputs.velocity.len()
+}
+
+/// Writes what a step leaves into an array of [`width`] values.
+pub(crate) fn write(outputs: &Outputs, out: &mut [f64]) {
+    let parts = [
+        &outputs.force,
+        &outputs.height,
+        &outputs.lateral,
+        &outputs.rate,
+        &outputs.displacement,
+        &outputs.velocity,
+    ];
+    let mut first = 0;
+    for part in parts {
+        out[first..first + part.len()].copy_from_slice(part);
+        first += part.len();
+    }
+}
+
 /// Line stepped from outside. Made by the class methods.
 #[pyclass]
-pub struct Session(pub AnySession);
+pub struct Session(pub(crate) AnySession);
+
+type Floats<'py> = Bound<'py, PyArray1<f64>>;
 
 #[derive(FromPyObject)]
 pub struct StartData {
@@ -131,7 +155,7 @@ impl Session {
         forces: PyReadonlyArray1<'_, f64>,
         position: f64,
         speed: f64,
-    ) -> PyResult<(Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>)> {
+    ) -> PyResult<(Floats<'py>, Floats<'py>)> {
         let found = self.0.compliance_about(forces.as_slice()?, position, speed);
         let found = found.map_err(|e| convert(py, &e))?;
         let [heights, matrix] = [&found.free_height, &found.matrix];
@@ -176,27 +200,13 @@ impl Session {
     /// height in m/s, each for all contacts; displacement in m and velocity in m/s of all
     /// coordinates of pantographs.
     fn read(&self, mut out: PyReadwriteArray1<'_, f64>) -> PyResult<()> {
-        let reading = self.0.outputs();
-        let r = reading;
-        let parts = [
-            &r.force,
-            &r.height,
-            &r.lateral,
-            &r.rate,
-            &r.displacement,
-            &r.velocity,
-        ];
-        let out = out.as_slice_mut()?;
-        if out.len() != parts.iter().map(|part| part.len()).sum::<usize>() {
+        let (outputs, out) = (self.0.outputs(), out.as_slice_mut()?);
+        if out.len() != width(outputs) {
             return Err(PyValueError::new_err(
                 "out: not the length that `sizes` tells",
             ));
         }
-        let mut first = 0;
-        for part in parts {
-            out[first..first + part.len()].copy_from_slice(part);
-            first += part.len();
-        }
+        write(outputs, out);
         Ok(())
     }
 

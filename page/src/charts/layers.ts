@@ -2,6 +2,7 @@
 import { colour } from "./colours.ts";
 import type { Area, Bars, Curve, Figure, Grid, Layer, Points, Rules, Segments, Strip, Texts } from "./figure.ts";
 import { imageOf } from "./image.ts";
+import { ascends, seen, trace } from "./thin.ts";
 
 /** Where numbers are drawn, in pixels of the canvas, and the frame that they are drawn in. */
 export interface Frame {
@@ -11,6 +12,8 @@ export interface Frame {
   top: number;
   width: number;
   height: number;
+  /** What is shown of the first axis. */
+  range: [number, number];
   /** Pixels of the canvas in a pixel of CSS. */
   ratio: number;
 }
@@ -24,11 +27,36 @@ function stroke(at: Canvas, frame: Frame, width: number, dash: keyof typeof DASH
   at.stroke();
 }
 
+/** Above so many samples on a pixel, corners are too many to be seen round. */
+const DENSE = 1;
+/** Points of a path: a browser without a GPU sorts all edges of a path line by line, and takes several times longer for one long path. */
+const OF_A_PATH = 32;
+
 function curve(at: Canvas, { x, y, width, dash }: Curve, frame: Frame): void {
+  const isAlong = ascends(x);
+  const range: [number, number] = isAlong ? seen(x, ...frame.range) : [0, x.length];
+  const place = (k: number): [number, number] => [frame.x(x[k]!), frame.y(y[k]!)];
+  const isDense = range[1] - range[0] > DENSE * frame.width;
+  let points = 0;
+  const line = (px: number, py: number) => {
+    at.lineTo(px, py);
+    if (!isDense || dash !== "solid" || ++points % OF_A_PATH) return;
+    stroke(at, frame, width);
+    at.beginPath();
+    at.moveTo(px, py);
+  };
+  at.lineJoin = isDense ? "bevel" : "round";
   at.beginPath();
+  // A curve that goes back has its extremes anywhere.
+  if (isAlong) trace(range, place, (px, py) => at.moveTo(px, py), line);
+  else whole(at, range, place);
+  stroke(at, frame, width, dash);
+}
+
+function whole(at: Canvas, [from, to]: [number, number], place: (k: number) => [number, number]): void {
   let open = false;
-  for (let k = 0; k < x.length; k++) {
-    const [px, py] = [frame.x(x[k]!), frame.y(y[k]!)];
+  for (let k = from; k < to; k++) {
+    const [px, py] = place(k);
     if (Number.isNaN(px) || Number.isNaN(py)) open = false;
     else if (open) at.lineTo(px, py);
     else {
@@ -36,8 +64,6 @@ function curve(at: Canvas, { x, y, width, dash }: Curve, frame: Frame): void {
       open = true;
     }
   }
-  at.lineJoin = "round";
-  stroke(at, frame, width, dash);
 }
 
 function area(at: Canvas, { x, low, high }: Area, frame: Frame): void {

@@ -103,6 +103,7 @@ export class Plot {
       top,
       width,
       height,
+      range: this.x,
       ratio: uPlot.pxRatio,
     };
   }

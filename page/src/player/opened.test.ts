@@ -1,6 +1,7 @@
 // @vitest-environment happy-dom
 import { beforeEach, describe, expect, test, vi } from "vitest";
 import type { Frame, Message } from "../connection/stream.ts";
+import { addPanel, part, shown } from "../shell/panels.ts";
 import { jobs, type Job } from "../state/jobs.ts";
 import { clock, source, type Source } from "../state/selection.ts";
 import { followSource } from "./opened.ts";
@@ -105,4 +106,13 @@ test("an attempt that begins again has clock, place and frames of its own", asyn
   frame(2, 0, 3);
   await drawn();
   expect([clock.time_s.peek(), state.current.pantographs[0]?.position]).toEqual([0, 3]);
+});
+
+test("a run that is opened stands in place of the first screen, and moves nobody out of the tree of a phone", async () => {
+  for (const id of ["start", "drawing"]) addPanel({ id, slot: "main", title: id, order: 0, load: async () => () => null });
+  shown.value = { main: "start" };
+  part.value = "left";
+  source.value = { run: "runs/a" };
+  await announce({ run: "runs/a" }, 2, {});
+  expect([shown.peek().main, part.peek()]).toEqual(["drawing", "left"]);
 });

@@ -3,7 +3,7 @@ import { effect } from "@preact/signals";
 import { ask } from "../connection/http.ts";
 import type { Geometry } from "../drawing/geometry.ts";
 import { complain, say } from "../shell/messages.ts";
-import { show, shown } from "../shell/panels.ts";
+import { raise, shown } from "../shell/panels.ts";
 import { jobs } from "../state/jobs.ts";
 import { clock, source, type Source } from "../state/selection.ts";
 import { follow, setEnds } from "./clock.ts";
@@ -56,10 +56,10 @@ async function opened(of: Source, about: Opened): Promise<void> {
 /** Whoever wants little motion starts it by hand: a run is then not followed by itself. */
 const isStill = (): boolean => matchMedia("(prefers-reduced-motion: reduce)").matches;
 
-/** Who opens a run from the first screen wants to see it; other panels stay. */
+/** A run is seen in place of the first screen; other panels stay. It may have been opened by itself, while somebody reads the tree of a phone. */
 function toTheLine(): void {
   const now = shown.peek().main;
-  if (now === undefined || now === "start") show("drawing");
+  if (now === undefined || now === "start") raise("drawing");
 }
 
 function edge(end: number, final: boolean): void {

@@ -3,6 +3,7 @@ import { computed, effect, signal, untracked } from "@preact/signals";
 import { ask } from "../connection/http.ts";
 import { isSmall } from "../shell/layout.ts";
 import { complain, say } from "../shell/messages.ts";
+import { part } from "../shell/panels.ts";
 import { changes } from "../state/changes.ts";
 import { keepFailure } from "../state/failure.ts";
 import { hasEnded, jobs, type Job } from "../state/jobs.ts";
@@ -76,6 +77,7 @@ async function order(body: object): Promise<void> {
 /** Run a scenario at once. */
 export async function runThis(path: string): Promise<void> {
   openModel(path, "scenario");
+  part.value = "main";
   await run();
 }
 

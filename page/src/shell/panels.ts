@@ -52,8 +52,13 @@ export type Part = "left" | "main" | "right";
 export const part = signal<Part>("main");
 
 export function show(id: string): void {
+  const panel = raise(id);
+  if (panel) part.value = panel.slot === "right" || panel.slot === "left" ? panel.slot : "main";
+}
+
+/** Put a panel in front in its slot; a phone goes on to show the part that it shows. */
+export function raise(id: string): Panel | undefined {
   const panel = panels.peek().find((one) => one.id === id);
-  if (!panel) return;
-  shown.value = { ...shown.peek(), [panel.slot]: id };
-  part.value = panel.slot === "right" || panel.slot === "left" ? panel.slot : "main";
+  if (panel) shown.value = { ...shown.peek(), [panel.slot]: id };
+  return panel;
 }

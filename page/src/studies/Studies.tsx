@@ -2,6 +2,7 @@
 import { useEffect } from "preact/hooks";
 import { project } from "../state/project.ts";
 import { Define } from "./Define.tsx";
+import { followDraft } from "./draft.ts";
 import { current, lastOpen, openStudy } from "./open.ts";
 import "./studies.css";
 import { face, opening, wanted } from "./vary.ts";
@@ -21,6 +22,7 @@ export function Studies() {
   useEffect(() => {
     if (isReady && wanted.peek() === null && opening.peek() === null) again();
   }, [isReady]);
+  useEffect(() => (isReady ? followDraft() : undefined), [isReady]);
   return (
     <div class="studies">
       <div class="faces" role="group" aria-label="Studies">

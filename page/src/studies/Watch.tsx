@@ -74,7 +74,7 @@ function Picked() {
   const start = async () => {
     const made = await written();
     openModel(made, "scenario");
-    const { job } = await ask<{ job: { id: string } }>("runs", { body: { scenario: made, changes: {}, record_motion: true, certainty: false } });
+    const { job } = await ask<{ job: { id: string } }>("runs", { body: { scenario: made, changes: {}, record_motion: true, certainty: false, keep_both: true } });
     source.value = { job: job.id };
     show("drawing");
   };

@@ -18,8 +18,9 @@ from arcless.cli.commands import (
     study,
     validate,
 )
+from arcless.cli.commands.loops import step_times
 from arcless.cli.commands.measurements import measure
-from arcless.cli.commands.models import fmu, model_files, own_models, table
+from arcless.cli.commands.models import fmu, model_files, own_models, receptance, table
 from arcless.cli.completion import scripts
 from arcless.cli.process.guard import GuardedGroup
 from arcless.cli.terminal.console import data
@@ -74,6 +75,7 @@ for _command in (
     run.statics,
     run.run,
     resume.resume,
+    step_times.step_times,
     runs.runs,
     saved_results.assess,
     saved_results.report,
@@ -90,4 +92,5 @@ for _command in (
     app.command(cls=WithCertainty if _command in (run.run, validate.validate) else None)(_command)
 
 app.add_typer(study.app, name="study")
+app.add_typer(receptance.app, name="pantograph")
 app.add_typer(fmu.app, name="fmu")

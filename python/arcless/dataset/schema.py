@@ -405,6 +405,11 @@ ATTRIBUTES: dict[str, Attribute] = {
     "controllers": Attribute(
         "json", "controllers given from Python, by the name of their pantograph"
     ),
+    "fmus": Attribute(
+        "json",
+        "pantographs that are FMUs, by name: file and its SHA-256, version of FMI, and the largest"
+        " difference of a height from what a step took for it, in m",
+    ),
     "certainty": Attribute(
         "json", "numbers of the runs from other starts and by the other family of elements"
     ),

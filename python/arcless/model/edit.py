@@ -26,6 +26,7 @@ from arcless.model.files.text_patches import (
 )
 from arcless.model.files.yaml_nodes import compose
 from arcless.model.files.yaml_reader import parse, read_text
+from arcless.platforms.moving import move
 from arcless.units import plain
 
 _BOM = b"\xef\xbb\xbf"
@@ -264,7 +265,7 @@ def write_text(file: FilePath, text: str) -> None:
             new.flush()
             os.fsync(new.fileno())
         FilePath(temporary).chmod(file.stat().st_mode & 0o7777)
-        FilePath(temporary).replace(file)
+        move(FilePath(temporary), file)
     except OSError as error:
         raise OutputError.of(error, "the file cannot be written", file) from error
     finally:

@@ -38,6 +38,8 @@ def json_schema(*others: type[Document]) -> dict[str, Any]:
         for field in definition.get("properties", {}).values():
             if field.pop("reference", None) is not None:
                 field["anyOf"] = [{"type": "string"}, {"$ref": field.pop("$ref")}]
+            if field.pop("or_file", None) is not None:
+                field["anyOf"].insert(0, {"type": "string", "description": "file"})
             if field.pop("table", None) is not None:
                 keys = [key for key in ("type", "items", "maxItems", "anyOf") if key in field]
                 rows = {key: field.pop(key) for key in keys}

@@ -12,6 +12,7 @@ from arcless.model.edit import change
 from arcless.model.files.yaml_reader import is_file, parse, read_text
 from arcless.model.shipped.library import RENAMED, find, shipped
 from arcless.model.shipped.wire_catalogue import entry_text
+from arcless.platforms.file_names import refused_by_windows
 from arcless.storage.whole_files import check_writable, write_bytes
 from arcless.units import show
 
@@ -142,6 +143,9 @@ def _check_name(name: str) -> None:
         hint = "leave the ending out; --to names a folder" if Path(name).suffix else None
         hint = "--to names a folder" if "/" in name else hint
         raise ModelError("name", got=show(name), expected=expected, hint=hint)
+    if (trouble := refused_by_windows(f"{name}.yaml")) is not None:
+        raise ModelError("name", got=trouble, expected="a name for files of every system",
+                         hint=f"such as my-{name}")  # fmt: skip
     taken = [kind for kind in KINDS if name in shipped(kind) or name in RENAMED.get(kind, {})]
     if taken:
         expected = "a name that no shipped model has"

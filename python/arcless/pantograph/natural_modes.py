@@ -61,6 +61,8 @@ class PantographMode:
 
 def why_no_modes(pantograph: Pantograph) -> str | None:
     """Return why a pantograph has no natural frequencies of its own; None where it has."""
+    if pantograph.fmu is not None:
+        return "an FMU does not say what is inside: no natural frequencies are known"
     joints: dict[str, Joint] = {f"masses.{i}": one for i, one in enumerate(pantograph.masses)}
     if pantograph.matrices is not None:
         of_matrices = enumerate(pantograph.matrices.joints)

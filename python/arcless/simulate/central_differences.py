@@ -146,9 +146,10 @@ def _masses(scenario: Scenario) -> Iterator[Parameter]:
 
 
 def _left_out(scenario: Scenario) -> Iterator[str]:
-    names = {one.model.name for one in scenario.pantographs if one.model.matrices is not None}
-    for name in sorted(names):
-        yield f"pantograph {name} is given by matrices: it has no single masses to vary"
+    kinds = {one.model.name: one.model for one in scenario.pantographs if not one.model.masses}
+    for name in sorted(kinds):
+        kind = "given by matrices" if kinds[name].fmu is None else "an FMU"
+        yield f"pantograph {name} is {kind}: it has no single masses to vary"
 
 
 def _sensitivity(

@@ -1,6 +1,5 @@
 """`arcless.run` and `arcless.resume`: a whole run, or a part of one to continue later."""
 
-import os
 import time
 from collections.abc import Mapping
 from dataclasses import replace
@@ -10,7 +9,9 @@ from typing import Any
 
 from arcless.model import Scenario
 from arcless.model.load import check_kind
+from arcless.platforms.processors import processors
 from arcless.results import Result
+from arcless.simulate.fmu.admission import check_saved
 from arcless.simulate.runs import checkpoint
 from arcless.simulate.runs.job import SEARCHING, Cancel, Job, Progress, lay_out, observer
 from arcless.simulate.runs.mean_force import find_forces
@@ -30,6 +31,7 @@ def run(
     controllers: Mapping[str, ControlFunction | type] | None = None,
     certainty: int | None = None,
     watch: Watch | None = None,
+    allow_fmu: bool = False,
 ) -> Result:
     """Run a scenario: statics, dynamics, record.
 
@@ -63,11 +65,16 @@ def run(
         Called while the run steps with a `MotionPiece`: the motion of the line near the
         pantographs, as `output.motion` records it; the result holds it only where that is set. It
         is called in the thread that steps, and what it raises ends the run.
+    allow_fmu
+        Whether pantographs that are FMUs may run: their code has all rights that you have.
+        Without it the environment variable ARCLESS_ALLOW_FMU=1 allows them.
 
     Raises
     ------
     ModelError
         There is no room for other starts.
+    FmuError
+        A pantograph is an FMU that may not run, cannot be loaded, fails, crashes or hangs.
     MeshError, EquilibriumError, ContactError, ControlError
         The line cannot be divided, has no equilibrium, a step cannot be solved, a controller
         failed, or it is a function whose memory cannot be saved and the run is to stop early.
@@ -80,10 +87,11 @@ def run(
     decided = Controllers(scenario, controllers)
     if until is not None:
         decided.check_saved()
+        check_saved(scenario)
     _check_starts(scenario)
     tell = progress or (lambda _fraction, _text: None)
     started = time.perf_counter()
-    job = lay_out(scenario, decided, tell, cancel)
+    job = lay_out(scenario, decided, tell, cancel, allow_fmu=allow_fmu)
     if watch is not None:
         asked = any(placement.mean_force is not None for placement in scenario.pantographs)
         job = replace(job, viewer=Viewer(watch, searching=asked))
@@ -169,5 +177,5 @@ def _sure(job: Job, forces: list[float], tell: Progress, cancel: Cancel | None) 
     from arcless.simulate.batches.parallel_runs import parallel_runner
     from arcless.simulate.certainty import run_additional
 
-    workers = len(os.sched_getaffinity(0))
+    workers = processors()
     return run_additional(job, forces, parallel_runner(job, tell, cancel, workers))

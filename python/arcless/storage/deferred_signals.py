@@ -5,8 +5,7 @@ import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
-# Asked for by a batch system or `kill`; by a terminal that was closed.
-ENDING = (signal.SIGTERM, signal.SIGHUP)
+from arcless.platforms.signals import ENDING
 
 
 @contextmanager

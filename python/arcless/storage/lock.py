@@ -8,8 +8,9 @@ empty.
 import errno
 import os
 from contextlib import suppress
-from pathlib import Path
+from pathlib import Path, PurePath
 from typing import TYPE_CHECKING
+from urllib.parse import quote
 
 if TYPE_CHECKING:
     import sqlite3
@@ -84,10 +85,28 @@ def is_held(path: Path) -> bool:
     return False
 
 
+def database_address(path: PurePath, mode: str) -> str:
+    """Return the address by which SQLite opens a database in a mode (`ro`, `rw`, `rwc`).
+
+    The folder of a server, which on Windows begins with two backslashes, has four slashes there:
+    `Path.as_uri` makes the server a host, which SQLite refuses.
+
+    Parameters
+    ----------
+    path
+        The file, a whole path.
+    mode
+        Mode of SQLite.
+    """
+    slashed = path.as_posix()
+    slash = "" if slashed.startswith("/") else "/"  # before the letter of a drive
+    return f"file://{slash}{quote(os.fsencode(slashed), safe='/:')}?mode={mode}"
+
+
 def _opened(path: Path, mode: str, wait_s: float) -> "sqlite3.Connection":
     import sqlite3
 
-    address = f"{path.absolute().as_uri()}?mode={mode}"
+    address = database_address(path.absolute(), mode)
     return sqlite3.connect(
         address, timeout=wait_s, isolation_level=None, uri=True, check_same_thread=False
     )

@@ -10,6 +10,7 @@ from types import TracebackType
 from typing import TYPE_CHECKING, Self
 
 from arcless.errors import OutputError
+from arcless.platforms.moving import move
 from arcless.storage.deferred_signals import deferred_signals
 
 if TYPE_CHECKING:
@@ -114,15 +115,15 @@ class OutputFolder:
         try:
             for name in others:
                 if os.path.lexists(self.path / name):
-                    (self.path / name).replace(self._staging / f"{_OLD}{name}")
+                    move(self.path / name, self._staging / f"{_OLD}{name}")
                     aside.append(name)
-            (self._staging / first).replace(self.path / first)
+            move(self._staging / first, self.path / first)
         except OSError:
             for name in aside:
-                (self._staging / f"{_OLD}{name}").replace(self.path / name)
+                move(self._staging / f"{_OLD}{name}", self.path / name)
             raise
         for name in made:
-            (self._staging / name).replace(self.path / name)
+            move(self._staging / name, self.path / name)
 
     def _check_free(self) -> None:
         """Refuse folders where files are to be, which are not ours to move, and files to keep."""

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import BinaryIO
 
 from arcless.errors import OutputError
+from arcless.platforms.moving import move
 from arcless.storage import hidden_files
 
 
@@ -65,7 +66,7 @@ def replacing(path: str | Path) -> Iterator[BinaryIO]:
                     yield file
                     file.flush()
                     os.fsync(file.fileno())
-                temporary.replace(target)
+                move(temporary, target)
             finally:
                 with suppress(OSError):
                     temporary.unlink(missing_ok=True)

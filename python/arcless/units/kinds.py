@@ -122,6 +122,24 @@ KINDS: dict[str, Kind] = {
         "a hardness",
         {"Pa": 1, "MPa": 10**6, "GPa": 10**9, "N/mm2": 10**6, "kgf/mm2": 10**6 * _KGF},
     ),
+    # Responses of a structure to a force: displacement, velocity and acceleration of 1 N.
+    "m/N": Kind(
+        "a compliance",
+        {
+            "m/N": 1,
+            "mm/N": _MILLI,
+            "um/N": _MILLI**2,
+            "mm/kN": _MILLI**2,
+            "in/lbf": _INCH / _LBF,
+        },
+    ),
+    "m/s/N": Kind(
+        "a mobility", {"m/s/N": 1, "mm/s/N": _MILLI, "m/s/kN": _MILLI, "in/s/lbf": _INCH / _LBF}
+    ),
+    "m/s2/N": Kind(
+        "an accelerance",
+        {"m/s2/N": 1, "mm/s2/N": _MILLI, "m/s2/kN": _MILLI, "1/kg": 1, "gn/N": _KGF},
+    ),
     "J/kg": Kind("a latent heat", {"J/kg": 1, "kJ/kg": 1000, "MJ/kg": 10**6}),
     "1": Kind("a number without unit", {"": 1, "%": Fraction(1, 100), "‰": _MILLI}),
 }
@@ -145,6 +163,14 @@ ALIASES = {
     "lbs": "lb",
     "lbs/ft": "lb/ft",
     "kp": "kgf",
+    "µm/N": "um/N",
+    "μm/N": "um/N",
+    "(m/s)/N": "m/s/N",
+    "m/(N·s)": "m/s/N",
+    "m/(s·N)": "m/s/N",
+    "(m/s2)/N": "m/s2/N",
+    "m/(s2·N)": "m/s2/N",
+    "m/(N·s2)": "m/s2/N",
     "s-1": "1/s",
     "K-1": "1/K",
     "/K": "1/K",

@@ -114,7 +114,7 @@ def plain(random: Random) -> Call:
     matrix = np.array([[random.gauss(0, 1) for _ in range(n)] for _ in range(n)])
     matrix = matrix @ matrix.T + np.eye(n)
     vector = np.array([random.gauss(0, 1) for _ in range(n)])
-    way = random.randrange(4)
+    way = random.randrange(5)
     if way == 0:
         return _core.solve_lcp, [matrix.ravel(), vector]
     if way == 1:
@@ -122,6 +122,8 @@ def plain(random: Random) -> Call:
     if way == 2:
         system, zero = lcp.PublishedStep(matrix, matrix, matrix, 1e-3), np.zeros(n)
         return system.step, [zero, zero, vector, np.eye(n)[:, :1], np.zeros(1)]
+    if way == 3:
+        return _core.filter_on, [np.ones((2, 5)), np.zeros((n, 2, 2)), np.ones((n, 4))]
     return _core.filtered, [np.ones((2, 5)), np.zeros((2, 2)), vector]
 
 

@@ -2,11 +2,12 @@
 
 import subprocess
 import sys
-from pathlib import Path
+from pathlib import Path, PurePath, PurePosixPath, PureWindowsPath
+from urllib.parse import unquote, urlsplit
 
 import pytest
 
-from arcless.storage.lock import Lock, is_held
+from arcless.storage.lock import Lock, database_address, is_held
 
 HOLDER = (
     "import sys, pathlib; from arcless.storage.lock import Lock\n"
@@ -40,6 +41,21 @@ def test_it_is_gone_with_its_holder(tmp_path: Path) -> None:
         holder.kill()
     assert not is_held(file)
     assert Lock(file).take()
+
+
+@pytest.mark.parametrize(
+    ("path", "address"),
+    [
+        (PurePosixPath("/lines/a b?#%.lock"), "file:///lines/a%20b%3F%23%25.lock?mode=ro"),
+        (PureWindowsPath("C:\\lines\\a b.lock"), "file:///C:/lines/a%20b.lock?mode=ro"),
+        (PureWindowsPath("\\\\server\\share\\a.lock"), "file:////server/share/a.lock?mode=ro"),
+    ],
+)
+def test_addresses_of_databases(path: PurePath, address: str) -> None:
+    found = database_address(path, "ro")
+    assert found == address
+    assert urlsplit(found).netloc == ""  # SQLite refuses a host
+    assert unquote(urlsplit(found).path).lstrip("/") == path.as_posix().lstrip("/")
 
 
 def test_what_is_no_lock(tmp_path: Path) -> None:

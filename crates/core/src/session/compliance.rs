@@ -14,8 +14,9 @@
 //!
 //! z₀ and S are those of the step under given forces, at first those of the step before. So z_f is
 //! exact as long as no link slackens or tightens because λ differs from these; a program that asks
-//! again about the λ that it has found solves contact exactly once they stay. W leaves out friction along the wire,
-//! which z₀ has from the same forces. It is symmetric, unless a slack link is damped.
+//! again about the λ that it has found solves contact exactly once they stay. W leaves out friction
+//! along the wire, which z₀ has from the same forces. It is symmetric, unless a slack link is
+//! damped.
 
 use crate::constraint::contacts::Contact;
 use crate::constraint::row::{OnWires, Row};
@@ -86,7 +87,8 @@ impl<const DIM: usize, const D: usize> Session<DIM, D> {
     /// outside has found from it, when it asks again until they stay.
     ///
     /// # Errors
-    /// As there; [`CoreError::Input`] for forces that are not finite, or not one for each collector.
+    /// As there; [`CoreError::Input`] for forces that are not finite, or not one for each
+    /// collector.
     pub fn compliance_about(
         &mut self,
         forces: &[f64],
@@ -123,8 +125,8 @@ impl<const DIM: usize, const D: usize> Session<DIM, D> {
         found.map(|()| &self.compliance.result)
     }
 
-    /// Solves the coming step under the forces about which it is linear, without taking it, and reads
-    /// the wire at the collectors.
+    /// Solves the coming step under the forces about which it is linear, without taking it, and
+    /// reads the wire at the collectors.
     fn try_step(&mut self, position: f64, speed: f64) -> Result<(), CoreError> {
         let about = std::mem::take(&mut self.compliance.about);
         let tried = self.solve_step(&about, position, speed);

@@ -65,13 +65,13 @@ def both_ways(cascade: Floats, signal: Floats, extension: int) -> Floats:
     first, last, n = signal[:1], signal[-1:], extension
     before, behind = 2.0 * first - signal[n:0:-1], 2.0 * last - signal[-2 : -(n + 2) : -1]
     extended = np.concatenate([before, signal, behind]) if n else signal
-    start = _steady(cascade)
+    start = steady(cascade)
     forwards = _core.filtered(cascade, start * extended[0], extended)
     backwards = _core.filtered(cascade, start * forwards[-1], forwards[::-1])[::-1]
     return backwards[n:-n] if n else backwards
 
 
-def _steady(cascade: Floats) -> Floats:
+def steady(cascade: Floats) -> Floats:
     """Return the state of each section (n × 2) under a signal that was always 1.
 
     Of a section in transposed form II, s₁ = b₁ − a₁ y + s₂ and s₂ = b₂ − a₂ y with y = b₀ + s₁, so

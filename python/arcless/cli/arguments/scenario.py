@@ -48,6 +48,13 @@ SetOption = Annotated[
 QuietOption = Annotated[
     bool, typer.Option("--quiet", help="No progress, notes or warnings on standard error.")
 ]
+AllowFmuOption = Annotated[
+    bool,
+    typer.Option(
+        "--allow-fmu",
+        help="Let pantographs that are FMUs run: their code has all rights that you have.",
+    ),
+]
 JsonOption = Annotated[
     bool, typer.Option("--json", help="Write JSON, and nothing else, to standard output.")
 ]

@@ -9,6 +9,7 @@ import typer
 
 from arcless.cli.arguments.certainty import CertaintyOption, asked_for, check_whole
 from arcless.cli.arguments.scenario import (
+    AllowFmuOption,
     AtRestArgument,
     JsonOption,
     QuietOption,
@@ -68,6 +69,7 @@ def run(
     certainty: CertaintyOption = None,
     overwrite: OverwriteOption = False,
     no_report: NoReportOption = False,
+    allow_fmu: AllowFmuOption = False,
     quiet: QuietOption = False,
 ) -> None:
     """Simulate a scenario: line at rest, run, assessment, report.
@@ -95,10 +97,10 @@ def run(
 
     with for_run(out or folder_of(chosen), overwrite=overwrite) as folder:
         _tell_size(chosen, quiet=quiet)
-        command = _command(scenario, speed, set_, certainty)
+        command = _command(scenario, speed, set_, certainty, allow_fmu=allow_fmu)
         with faults_of(scenario):
             result = _simulate(
-                chosen, until, folder.file(RESULT_NAME), command, quiet=quiet,
+                chosen, until, folder.file(RESULT_NAME), command, quiet=quiet, allow_fmu=allow_fmu,
                 meanwhile=lambda: outcome.import_ahead(report=not no_report and until is None),
             )  # fmt: skip
         written = outcome.write(result, folder, report=not no_report)
@@ -175,6 +177,7 @@ def _simulate(
     command: str,
     *,
     quiet: bool,
+    allow_fmu: bool,
     meanwhile: Callable[[], None],
 ) -> "Result":
     with permanent_objects():
@@ -184,7 +187,13 @@ def _simulate(
     with console.progress(quiet=quiet) as progress:
         return compute(
             lambda cancel: simulate.run(
-                scenario, until=until, to=to, command=command, progress=progress, cancel=cancel
+                scenario,
+                until=until,
+                to=to,
+                command=command,
+                progress=progress,
+                cancel=cancel,
+                allow_fmu=allow_fmu,
             ),
             meanwhile,
         )
@@ -200,11 +209,17 @@ def _find_statics(name: str, source: "Scenario | Line", *, quiet: bool) -> "Stat
 
 
 def _command(
-    scenario: str, speed: str | None, changes: list[str] | None, certainty: str | None = None
+    scenario: str,
+    speed: str | None,
+    changes: list[str] | None,
+    certainty: str | None = None,
+    *,
+    allow_fmu: bool = False,
 ) -> str:
     words = ["arcless", "run", scenario]
     words += [] if speed is None else ["--speed", speed]
     for change in changes or []:
         words += ["--set", change]
     words += [] if certainty is None else ["--certainty", certainty]
+    words += ["--allow-fmu"] if allow_fmu else []
     return shlex.join(words)

@@ -62,6 +62,11 @@ def runs_and_measurements(incomplete: str) -> list[str]:
     return [*runs(incomplete), *_fitting(incomplete, _files((MEASUREMENT,)))]
 
 
+def tables(incomplete: str) -> list[str]:
+    """Return CSV files here."""
+    return _fitting(incomplete, _files((MEASUREMENT,)))
+
+
 def studies(incomplete: str) -> list[str]:
     """Return shipped studies and model files here."""
     return _fitting(incomplete, [*shipped("study"), *_files(MODELS)])

@@ -30,7 +30,9 @@ class GuardedGroup(TyperGroup):
         options["standalone_mode"] = False
         for stream in (sys.stdout, sys.stderr):
             if hasattr(stream, "reconfigure"):
-                stream.reconfigure(errors="replace")  # σ on a terminal that cannot show it
+                # On a terminal that cannot show σ; a file or a pipe of Windows could not hold it.
+                own = sys.platform == "win32" and not stream.isatty()
+                stream.reconfigure(errors="replace", encoding="utf-8" if own else None)
         with _own_warnings():
             code = exit_code_of(lambda: super(GuardedGroup, self).main(*args, **options))
         if unfinished():  # a thread in native code would hold up, or break, an orderly exit

@@ -1,15 +1,14 @@
-"""Signals Ctrl-C, SIGTERM and SIGHUP while the command line works.
+"""Signals that end a program, by Ctrl-C or by the system, while the command line works.
 
-All three end a run in the same way: what is unfinished is removed. Only the exit codes differ.
+All of them end a run in the same way: what is unfinished is removed. Only the exit codes differ.
 """
 
 import signal
 import sys
 import time
 
-from arcless.storage.deferred_signals import ENDING
+from arcless.platforms.signals import ENDING, WORDS
 
-_WORDS = {signal.SIGTERM: "terminated", signal.SIGHUP: "hung up"}
 _BY_CTRL_C = "interrupted"
 _ONE_STROKE_S = 1.0  # leaving takes less than this; Ctrl-C again during it changes nothing
 _AFTER_SIGNAL = 128  # what a shell adds to the number of the signal that ended a program
@@ -43,13 +42,13 @@ def merge_signals() -> None:
 
 
 def ended() -> bool:
-    """Return whether SIGTERM or SIGHUP has ended the work."""
+    """Return whether a signal other than Ctrl-C has ended the work."""
     return bool(_ended_by)
 
 
 def word() -> str:
     """Say in a word what ended the work."""
-    return _WORDS[signal.Signals(_ended_by[0])] if _ended_by else _BY_CTRL_C
+    return WORDS[_ended_by[0]] if _ended_by else _BY_CTRL_C
 
 
 def exit_code(by_ctrl_c: int) -> int:

@@ -1,5 +1,6 @@
 """Streams of text: data to standard output, everything else to standard error."""
 
+import errno
 import json
 import os
 import re
@@ -23,7 +24,9 @@ def write(stream: TextIO, text: str) -> None:
     try:
         stream.write(text)
         stream.flush()
-    except BrokenPipeError:
+    except OSError as error:
+        if not _has_left(error):
+            raise
         _lead_nowhere(stream)
 
 
@@ -118,6 +121,13 @@ def _say(text: str, stream: TextIO | None = None) -> None:
         write(stream, text)
     except OSError:
         _lead_nowhere(stream)
+
+
+def _has_left(error: OSError) -> bool:
+    """Return whether the reader of a pipe went away, which Windows calls an invalid argument."""
+    return isinstance(error, BrokenPipeError) or (
+        sys.platform == "win32" and error.errno == errno.EINVAL
+    )
 
 
 def _lead_nowhere(stream: TextIO) -> None:

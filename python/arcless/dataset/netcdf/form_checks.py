@@ -93,6 +93,7 @@ FORMS: dict[str, tuple[Callable[[object], bool], str]] = {
     "static_force_found": (_is_forces, "a mapping of numbers"),
     "stop_force_max": (_is_forces, "a mapping of numbers"),
     "controllers": (_is_mapping, "a mapping"),
+    "fmus": (_is_mapping, "a mapping"),
     "certainty": (_is_mapping, "a mapping"),
     "state": (_is_mapping, "a mapping"),
     "warnings": (_is_sentences, "a list of sentences"),

@@ -23,7 +23,7 @@ POINT = "write the decimal point as a point, and one comma between values"
 EXPECTED = "a table as CSV text"
 GAP = "fill every cell, or leave the row out"
 # Units that examples in messages are written in.
-_USUAL = {"m": "mm"}
+_USUAL = {"m": "mm", "1": "%"}
 
 
 @dataclass(frozen=True)

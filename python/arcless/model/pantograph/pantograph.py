@@ -1,5 +1,6 @@
-"""A pantograph: a chain of masses, springs and dampers from base to head, or given by matrices."""
+"""A pantograph: a chain of masses from base to head, given by matrices, or an FMU."""
 
+from pathlib import PurePath
 from typing import Annotated, Any, Literal
 
 from pydantic import Field, model_validator
@@ -10,6 +11,7 @@ from arcless.model.fields import extremes
 from arcless.model.fields.document import Document
 from arcless.model.fields.part import Unit
 from arcless.model.fields.rule_errors import both_given, missing
+from arcless.model.fmu.mapping import PantographFmu
 from arcless.model.pantograph.force_tables import LiftTable
 from arcless.model.pantograph.head import CollectorHead
 from arcless.model.pantograph.joint import Joint
@@ -63,7 +65,7 @@ def lateral_limit(given: float | None, head_width: float | None) -> float | None
 
 
 class Pantograph(Document):
-    """A pantograph: a chain of masses from base to head, or a linear system given by matrices."""
+    """A pantograph: a chain of masses from base to head, a linear system, or an FMU."""
 
     format: Literal["arcless-pantograph/1"] = Field(
         default="arcless-pantograph/1", description="Format and version."
@@ -73,6 +75,11 @@ class Pantograph(Document):
     )
     matrices: PantographMatrices | None = Field(
         default=None, description="General linear pantograph; excludes masses."
+    )
+    fmu: PantographFmu | None = Field(
+        default=None,
+        description="Pantograph of another program; excludes masses and matrices.",
+        json_schema_extra={"or_file": True},
     )
     head: CollectorHead | None = Field(
         default=None, description="Strips on the last mass; without it, the last mass is the strip."
@@ -95,6 +102,8 @@ class Pantograph(Document):
 
     def in_words(self) -> list[str]:
         """Return of how many masses or coordinates it is, in words."""
+        if self.fmu is not None:
+            return [f"FMU {PurePath(self.fmu.file).name}"]
         if self.matrices is not None:
             return [f"matrices, {self.size} coordinates"]
         count = len(self.masses)
@@ -126,19 +135,24 @@ class Pantograph(Document):
 
     @classmethod
     def prepare(cls, data: dict[str, Any]) -> dict[str, Any]:
-        """Take masses that are nothing as masses left out."""
-        return {key: value for key, value in data.items() if key != "masses" or value is not None}
+        """Take masses that are nothing as masses left out, and a text as the file of an FMU."""
+        found = {key: value for key, value in data.items() if key != "masses" or value is not None}
+        if isinstance(found.get("fmu"), str):
+            found["fmu"] = {"file": found["fmu"]}
+        return found
 
     @model_validator(mode="after")
     def _check_kind(self) -> "Pantograph":
-        if self.masses and self.matrices is not None:
-            raise both_given("masses", "matrices")
-        if not self.masses and self.matrices is None:
-            raise missing("masses", expected="masses, from base to head, or matrices")
+        kinds = ("masses", "matrices", "fmu")
+        given = [name for name in kinds if getattr(self, name)]
+        if len(given) > 1:
+            raise both_given(given[0], given[1])
+        if not given:
+            raise missing("masses", expected="masses, from base to head, or matrices, or fmu")
         if self.head is not None and not self.masses:
             raise ModelError(
-                "a head on matrices",
-                expected="masses below the head, or matrices that contain it",
+                f"a head on {'matrices' if self.fmu is None else 'an FMU'}",
+                expected=f"masses below the head, or {given[0]} that contain it",
                 field=("head",),
             )
         if self.head is not None and self.half_length is not None:
@@ -151,7 +165,12 @@ class Pantograph(Document):
 
     @property
     def size(self) -> int:
-        """Number of coordinates: masses and those of the strips, or what the matrices have."""
+        """Number of coordinates: masses and those of the strips, or what the matrices have.
+
+        Of an FMU the heights of its strips.
+        """
+        if self.fmu is not None:
+            return self.fmu.strips
         if self.matrices is not None:
             return len(self.matrices.strip)
         return len(self.masses) + (0 if self.head is None else self.head.size)
@@ -159,6 +178,8 @@ class Pantograph(Document):
     @property
     def raised(self) -> tuple[float, ...]:
         """Coordinates of the whole pantograph raised by 1 m."""
+        if self.fmu is not None:
+            return (1.0,) * self.fmu.strips
         if self.matrices is not None:
             return self.matrices.rigid
         strips = () if self.head is None else self.head.raised
@@ -180,7 +201,10 @@ class Pantograph(Document):
         return [first + number * self.head.strip_size for number in range(self.head.strips)]
 
     def lift_at(self, speed: float) -> float:
-        """Return the share of the contact force in N that the air carries at a speed in m/s."""
+        """Return the share of the contact force in N that the air carries at a speed in m/s.
+
+        Of an FMU it is not known, and taken as a part of the static force.
+        """
         if self.matrices is not None:
             tables = sum(
                 table.raising(self.matrices.rigid, speed) for table in self.matrices.lift_tables

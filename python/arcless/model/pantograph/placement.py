@@ -12,6 +12,13 @@ from arcless.model.pantograph.pantograph import Pantograph
 from arcless.model.pantograph.roof import RoofMotion
 from arcless.model.pantograph.spacing import TSI, Word, tsi_spacing
 
+# Variables of an FMU that fields of a placement need.
+_NEEDED = {
+    "mean_force": "static_force",
+    "roof_motion": "base_height",
+    "controller": "control_force",
+}
+
 
 class PantographPlacement(Part):
     """A pantograph on the train, and the force it is run with."""
@@ -62,6 +69,29 @@ class PantographPlacement(Part):
                 "no force given",
                 expected="static_force or mean_force, since the pantograph has no static_force",
                 field=("static_force",),
+            )
+        return self
+
+    @model_validator(mode="after")
+    def _check_fmu(self) -> "PantographPlacement":
+        """Refuse what an FMU has no variable for."""
+        fmu = self.model.fmu
+        if fmu is None:
+            return self
+        for field, variable in _NEEDED.items():
+            if getattr(self, field) is not None and getattr(fmu, variable) is None:
+                raise ModelError(
+                    "the FMU has no variable for it",
+                    expected=f"model.fmu.{variable}, the name of a variable of the FMU",
+                    hint=f"name one, or leave {field} out",
+                    field=(field,),
+                )
+        if self.controller is not None and self.controller.mass is not None:
+            raise ModelError(
+                "no such mass",
+                got=f"{self.controller.mass}",
+                expected="no mass for an FMU: its control_force acts where the FMU says",
+                field=("controller", "mass"),
             )
         return self
 

@@ -14,6 +14,7 @@ from arcless.model.fields.part import Path
 from arcless.model.files.csv_tables import with_tables
 from arcless.model.files.pydantic_errors import explain
 from arcless.model.files.yaml_reader import Origin, is_file, parse, read_text
+from arcless.model.fmu.loading import with_fmu
 from arcless.model.line.line import Line
 from arcless.model.pantograph.controller import with_function
 from arcless.model.pantograph.force_tables import with_force_tables
@@ -78,7 +79,7 @@ def build(
     if kind == "scenario":
         data = _resolve(data, origin)
     elif kind == "pantograph":
-        data = with_force_tables(data, origin, prefix)
+        data = with_fmu(with_force_tables(data, origin, prefix), origin, prefix)
     try:
         return model.model_validate(data)
     except ValidationError as error:

@@ -34,21 +34,23 @@ FEWEST_SAMPLES = 3
 
 
 def mass_of(model: "Pantograph") -> float | None:
-    """Return the mass in kg of the strips, or of the last mass; None of one given by matrices."""
+    """Return the mass in kg of the strips, or of the last mass; None where no mass is known."""
     if model.head is not None:
         return model.head.strips * model.head.mass
-    return None if model.matrices is not None else model.masses[-1].mass
+    return model.masses[-1].mass if model.masses else None
 
 
 def strip_shares(model: "Pantograph") -> Floats:
     """Return how far each recorded displacement moves the strips, whose sum is their mean height.
 
     Of a chain that is the last mass; of a head with strips, each strip by its part; of matrices,
-    their own vector of the strip.
+    their own vector of the strip; of an FMU all its strips alike.
     """
     if model.matrices is not None:
         return np.array(model.matrices.strip, dtype=np.float64)
     shares = np.zeros(len(model.heights))
+    if model.fmu is not None:
+        return np.full(shares.size, 1.0 / shares.size)
     count = 1 if model.head is None else model.head.strips
     shares[-count:] = 1.0 / count
     return shares
@@ -97,14 +99,14 @@ def checked_mass(given: float | None, model: "Pantograph") -> float:
     Raises
     ------
     ModelError
-        It is larger than the strips are, or not given for a pantograph given by matrices.
+        It is larger than the strips are, or not given for a pantograph given by matrices or an FMU.
     """
     known = mass_of(model)
     if given is None and known is None:
         raise ModelError(
             "mass_above_kg",
             got="nothing",
-            expected="the mass above the force sensors: matrices have none of their own",
+            expected="the mass above the force sensors: matrices and FMUs have none of their own",
         )
     if given is not None and known is not None and given > known * (1.0 + 1e-9):  # rounding
         raise ModelError(

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from arcless.errors import OutputError
+from arcless.platforms.file_names import refused_by_windows
 from arcless.results.kept_runs.places import (
     ASSESSMENT_NAME,
     REPORT_NAME,
@@ -26,8 +27,6 @@ FILES = (RESULT_NAME, ASSESSMENT_NAME, REPORT_NAME)
 # Longest name of a folder, in bytes. File systems take 255 of them for a name, and Windows 260
 # characters for a whole path; a shorter name leaves out more of what was changed.
 LONGEST = 120
-# Names of devices, which Windows gives to no folder.
-_DEVICES = re.compile(r"(con|prn|aux|nul|com\d|lpt\d)(\..*)?", re.IGNORECASE)
 
 
 def folder_of(scenario: "Scenario") -> Path:
@@ -45,7 +44,7 @@ def folder_of(scenario: "Scenario") -> Path:
     if len(whole.encode()) > LONGEST:
         whole = _cut(whole, scenario)
     whole = whole.strip("-.")
-    return RUNS / (f"_{whole}" if _DEVICES.fullmatch(whole) else whole)
+    return RUNS / (f"_{whole}" if refused_by_windows(whole) else whole)
 
 
 def for_run(path: Path, *, overwrite: bool, own: Path | None = None) -> OutputFolder:

@@ -1,6 +1,5 @@
 """Batch of runs: shared parts are made once, and a failed run stops no other one."""
 
-import os
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from operator import length_hint
@@ -9,6 +8,7 @@ from pathlib import Path
 from arcless.errors import ModelError
 from arcless.model import Scenario
 from arcless.model.load import check_kind
+from arcless.platforms.processors import processors
 from arcless.simulate.batches.fingerprints import SharedKeys, member_key
 from arcless.simulate.batches.groups import Groups, Member
 from arcless.simulate.batches.monitored_runs import Look, Watching
@@ -36,6 +36,7 @@ def batch(
     cancel: Cancel | None = None,
     take: Callable[[Outcome], None] | None = None,
     watch: Watch | None = None,
+    allow_fmu: bool = False,
 ) -> list[Outcome]:
     """Run many scenarios.
 
@@ -68,6 +69,8 @@ def batch(
         Given index and scenario of a member, returns the observer of its runs while they step, see
         `Watching`, or None. A member that is stopped is an outcome that says so, with neither
         assessment nor result. A member that is not stopped is, bit for bit, as without it.
+    allow_fmu
+        Whether pantographs that are FMUs may run, see `arcless.run`.
 
     Returns
     -------
@@ -86,7 +89,7 @@ def batch(
     source = _Source(scenarios, stored)
     groups = Groups(SharedKeys().of)
     outcomes: dict[int, Outcome] = {}
-    count = workers or len(os.sched_getaffinity(0))
+    count = workers or processors()
     tell = _ProgressText(progress, length_hint(scenarios, 0))
 
     def handed(outcome: Outcome) -> None:
@@ -97,7 +100,7 @@ def batch(
         tell.done(outcome)
 
     try:
-        with WorkerPool(groups, keep, stored, count, watch=watch) as crew:
+        with WorkerPool(groups, keep, stored, count, watch=watch, allow_fmu=allow_fmu) as crew:
             while source.goes_on or len(outcomes) < source.begun:
                 for outcome in source.refill(groups, source.begun - len(outcomes), AHEAD * count):
                     handed(outcome)

@@ -25,7 +25,10 @@ def parallel_runner(job: Job, tell: Progress, cancel: Cancel | None, workers: in
             groups.put(Member(index, scenario, ""), line)
         groups.close()
         found: dict[int, Outcome] = {}
-        with WorkerPool(groups, "assessment", None, workers, given=job.controllers.given) as crew:
+        with WorkerPool(
+            groups, "assessment", None, workers,
+            given=job.controllers.given, allow_fmu=job.allow_fmu,
+        ) as crew:  # fmt: skip
             while len(found) < len(scenarios):
                 for outcome in crew.outcomes(LOOK_EVERY_S):
                     found[outcome.index] = outcome

@@ -39,8 +39,9 @@ class WorkerPool:
         *,
         watch: Watch | None = None,
         given: Mapping[str, Any] | None = None,
+        allow_fmu: bool = False,
     ) -> None:
-        self._given = given
+        self._given, self._allow_fmu = given, allow_fmu
         self._groups, self._keep, self._folder, self._watch = groups, keep, folder, watch
         self._done: queue.SimpleQueue[Outcome | BaseException] = queue.SimpleQueue()
         self._stop = threading.Event()
@@ -132,7 +133,14 @@ class WorkerPool:
     def _job(self, group: Group, member: Member) -> Job:
         line = group.line(member.scenario)
         controllers = Controllers(member.scenario, self._given)
-        return lay_out(member.scenario, controllers, _quiet, self._stop.is_set, line)
+        return lay_out(
+            member.scenario,
+            controllers,
+            _quiet,
+            self._stop.is_set,
+            line,
+            allow_fmu=self._allow_fmu,
+        )
 
     def _kept(self, member: Member, done: Assessment | Result, wall_time_s: float) -> Outcome:
         index, name = member.index, member.scenario.name

@@ -82,9 +82,8 @@ class _SequentialRuns:
             is_own = scenario.solver is job.scenario.solver
             line = Line(job.found, job.model) if is_own else self.line_of(scenario)
             controllers = Controllers(scenario, job.controllers.given)
-            assessment = assessed_alone(
-                lay_out(scenario, controllers, _quiet, self.cancel, line), began
-            )
+            own = lay_out(scenario, controllers, _quiet, self.cancel, line, allow_fmu=job.allow_fmu)
+            assessment = assessed_alone(own, began)
         except Exception as failure:
             error = told(failure)
         wall_s = time.perf_counter() - began

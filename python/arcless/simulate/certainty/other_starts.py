@@ -98,7 +98,7 @@ def started_at(job: "Job", forces: list[float], places: Sequence[float]) -> list
         Where the others begin.
     """
     speeds = [_speed_at(job.scenario, place) for place in places]
-    carried = _carried(job, forces, places, [speed for speed, _ in speeds])
+    carried = carried_forces(job, forces, places, [speed for speed, _ in speeds])
     return [
         _begun(job.scenario, place, profile, own)
         for place, (_, profile), own in zip(places, speeds, carried, strict=True)
@@ -190,10 +190,24 @@ def _time_at(times: Floats, speeds: Floats, way: float) -> float:
     return float(times[piece] + (2.0 * rest / (speed + root) if speed + root > 0.0 else 0.0))
 
 
-def _carried(
+def carried_forces(
     job: "Job", forces: list[float], places: Sequence[float], speeds: Sequence[float]
 ) -> list[list[float]]:
-    """Return the static forces in N that the same pantographs have at other starts."""
+    """Return the static forces in N that the same pantographs have at other starts.
+
+    Parameters
+    ----------
+    job
+        The run.
+    forces
+        Static force of each pantograph in the run in N.
+    places, speeds
+        Where the first pantograph starts otherwise in m, and its speed there in m/s.
+
+    Returns
+    -------
+    Of each start those of all pantographs.
+    """
     starts = np.array([job.travel.positions[0], *places])
     at = [float(job.travel.speeds[0]), *speeds]
     of_each = [

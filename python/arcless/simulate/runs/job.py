@@ -13,6 +13,8 @@ from arcless.errors import ArclessError
 from arcless.model import Scenario
 from arcless.model.scenario.coarse_copy import coarse
 from arcless.model.settings.schemes import EXPLICIT
+from arcless.simulate.fmu.admission import check_admitted
+from arcless.simulate.fmu.in_runs import facts, fmus_of, with_controls
 from arcless.simulate.recording.motion import MotionLayout, layout_of
 from arcless.simulate.recording.recording_window import Nearby, nearby
 from arcless.simulate.runs.checkpoint import State
@@ -55,6 +57,8 @@ class Job:
         None where none serves.
     viewer
         Handed the motion of the line while a full run steps; None where nobody looks.
+    allow_fmu
+        Whether the code of FMUs may run.
     """
 
     scenario: Scenario
@@ -67,6 +71,7 @@ class Job:
     observe: Callable[[int], bool]
     copy: Callable[[], "Job | None"] = lambda: None
     viewer: Viewer | None = None
+    allow_fmu: bool = False
 
     def step(
         self,
@@ -91,17 +96,21 @@ class Job:
         numbers = {} if state is None else dict(state.numbers)
         if state is not None:
             self.controllers.put_back(actuators, numbers)
-        pantograph_data = [
-            pantographs.data(p.model, force + p.model.lift_at(speed), excitation, actuator)
-            for p, force, excitation, actuator in zip(
-                placements, forces, self.excitations, actuators, strict=True
-            )
-        ]
         audience = self._audience(take) if full else None
         if audience is not None:
             take, piece = audience.take, 1
         began = time.perf_counter()
-        with stepping(mesh, placements, self.travel):
+        with (
+            fmus_of(self.scenario, self.travel, forces, actuators) as fmus,
+            stepping(mesh, placements, self.travel),
+        ):
+            pantograph_data = [
+                pantographs.data(p.model, force + p.model.lift_at(speed), excitation, actuator, fmu)
+                for p, force, excitation, actuator, fmu in zip(
+                    placements, forces, self.excitations, actuators, fmus, strict=True
+                )
+            ]
+            put = with_controls(fmus, self.scenario.output.contact_every)
             raw = self.model.run(
                 pantographs=pantograph_data,
                 distances=[p.distance for p in placements],
@@ -113,11 +122,13 @@ class Job:
                 observe=self.observe,
                 state=None if state is None else (state.step, numbers),
                 until=until,
-                take=None if take is None else (piece or PIECE, take),
+                take=None if take is None else (piece or PIECE, _after(put, take)),
             )
+        raw = put(raw)
         if audience is not None:
             raw = audience.whole(raw)
         raw["wall_s"] = time.perf_counter() - began
+        raw["fmus"] = facts(self.scenario, fmus)
         step, after = raw["state"]
         raw["state"] = State(step, {**after, **self.controllers.numbers(actuators)})
         return raw
@@ -172,6 +183,11 @@ class Job:
         return None if self.scenario.output.motion is None else self.motion
 
 
+def _after(put: Callable[[dict[str, Any]], dict[str, Any]], take: Take) -> Take:
+    """Return what takes a piece of the series after something was put into it."""
+    return lambda raw: take(put(raw))
+
+
 @dataclass(frozen=True)
 class Line:
     """A line at rest and factorised for a time step: what runs may share."""
@@ -211,20 +227,37 @@ def lay_out(
     line: Line | None = None,
     *,
     doing: str = STEPPING,
+    allow_fmu: bool = False,
 ) -> Job:
     """Lay out a run on its line: the travel, and what is given over time.
 
-    `doing` is what is told of its steps.
+    `doing` is what is told of its steps; `allow_fmu` whether the code of FMUs may run.
+
+    Raises
+    ------
+    FmuError, ModelError
+        A pantograph is an FMU, and may not run or does not fit.
     """
+    check_admitted(scenario, allow_fmu=allow_fmu)
     line = line or ready_line(scenario, tell)
     travel = trajectory.motion(scenario)
     excitations = pantographs.excitations(scenario, travel)
     loads = gust_loads.line_loads(line.found, scenario, travel)
     step_s = scenario.time_step_s if doing == STEPPING else None
     observe = observer(travel.steps, doing, tell, cancel, step_s)
-    copy = partial(_coarse_copy, scenario, controllers, tell, cancel, line)
-    found, model = line.found, line.model
-    return Job(scenario, found, model, travel, excitations, loads, controllers, observe, copy)
+    copy = partial(_coarse_copy, scenario, controllers, tell, cancel, line, allow_fmu=allow_fmu)
+    return Job(
+        scenario,
+        line.found,
+        line.model,
+        travel,
+        excitations,
+        loads,
+        controllers,
+        observe,
+        copy,
+        allow_fmu=allow_fmu,
+    )
 
 
 def _coarse_copy(
@@ -233,6 +266,8 @@ def _coarse_copy(
     tell: Progress,
     cancel: Cancel | None,
     line: Line,
+    *,
+    allow_fmu: bool,
 ) -> Job | None:
     """Lay out a coarse copy of a run; None where none serves.
 
@@ -243,7 +278,8 @@ def _coarse_copy(
     if copied is None or coarser is None:
         return None
     try:
-        return lay_out(copied, Controllers(copied), tell, cancel, coarser, doing=SEARCHING)
+        decided = Controllers(copied)
+        return lay_out(copied, decided, tell, cancel, coarser, doing=SEARCHING, allow_fmu=allow_fmu)
     except ArclessError:
         return None
 

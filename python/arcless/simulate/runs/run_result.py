@@ -15,6 +15,7 @@ from arcless.equilibrium.initial_configuration import wave_speed_of
 from arcless.model import scenario_warnings
 from arcless.model.scenario.as_typed import typed_in
 from arcless.results import Result
+from arcless.simulate.fmu.in_runs import warnings_of
 from arcless.simulate.recording import record
 from arcless.simulate.runs import checkpoint
 from arcless.simulate.runs.job import Job, Progress
@@ -164,9 +165,11 @@ def attributes_of(
         "static_force_found": dict(zip(names, np.round(forces, 6).tolist(), strict=True)),
         **({"stop_force_max": stops} if stops else {}),
         **job.controllers.attribute(),
+        **({"fmus": raw["fmus"]} if raw.get("fmus") else {}),
         "warnings": [
             *scenario_warnings(scenario),
             *stops_and_friction.tables_left(scenario.pantographs, raw["law_ranges"].tolist()),
+            *warnings_of(raw.get("fmus", {})),
         ],
     }
 

@@ -196,6 +196,12 @@ def check(scenario: Scenario, *, simulated: bool) -> None:
         )
     for index, placement in enumerate(scenario.pantographs if simulated else ()):
         field, model = f"pantographs.{index}", placement.model
+        if model.fmu is not None:
+            raise _refusal(
+                "an FMU runs in a process of its own",
+                f"{field}.model.fmu",
+                hint="run the scenario; or step the FMU yourself, with realtime(scenario)",
+            )
         if placement.roof_motion is not None:
             raise _refusal(
                 "the roof moves as given for a whole run",

@@ -17,6 +17,7 @@ from arcless.simulate.setup.core_data import (
     ActuatorData,
     BaseMotion,
     Excitation,
+    ExternalPantograph,
     ForceHistory,
     PantographData,
     StripData,
@@ -32,20 +33,29 @@ def data(
     start_force: float,
     excitation: Excitation = NOTHING,
     actuator: ActuatorData | None = None,
+    external: ExternalPantograph | None = None,
 ) -> PantographData:
     """Return a pantograph as the core takes it.
 
     Parameters
     ----------
     pantograph
-        A chain of masses, or matrices.
+        A chain of masses, matrices, or an FMU.
     start_force
         Contact force at the start in N.
     excitation
         Forces and motion of the base over time, see `excitations`.
     actuator
         A force decided on during the run.
+    external
+        Program that moves the strips of an FMU; None where nothing moves.
     """
+    if pantograph.fmu is not None:
+        strips = [
+            plain(unit_vector(pantograph.size, i), pantograph.half_length, offset)
+            for i, offset in enumerate(pantograph.fmu.offsets)
+        ]
+        return PantographData([], [], [], strips, [], [], start_force, external=external)
     if pantograph.matrices is not None:
         parts = pantograph.matrices
         lift = list(parts.lift or (0.0,) * len(parts.strip))
@@ -69,9 +79,14 @@ def data(
     )
 
 
-def plain(vector: Sequence[float], half_length: float | None) -> StripData:
-    """Return a strip that is the same everywhere; without a length it reaches every wire."""
-    return StripData(offset=0.0, half_width=half_length or inf, knots=[0.0], vectors=[list(vector)])
+def plain(vector: Sequence[float], half_length: float | None, offset: float = 0.0) -> StripData:
+    """Return a strip that is the same everywhere; without a length it reaches every wire.
+
+    `offset` is how far it stands behind the reference point, m.
+    """
+    return StripData(
+        offset=offset, half_width=half_length or inf, knots=[0.0], vectors=[list(vector)]
+    )
 
 
 def _lift_and_strips(pantograph: Pantograph) -> tuple[list[float], list[StripData]]:
@@ -95,6 +110,8 @@ def excitations(scenario: Scenario, travel: Motion) -> list[Excitation]:
 
 def _excitation(placement: PantographPlacement, travel: Motion) -> Excitation:
     pantograph = placement.model
+    if pantograph.fmu is not None:  # the motion of the roof is an input of it
+        return NOTHING
     tables = [
         (unit_vector(pantograph.size, i), part.lift)
         for i, part in enumerate(pantograph.masses)

@@ -9,7 +9,13 @@ from numpy.typing import NDArray
 from arcless.errors import ModelError
 from arcless.model import Scenario
 from arcless.model.scenario.step_rules import MAX_STEPS
-from arcless.model.settings.schemes import GeneralisedAlpha, HilberHughesTaylor, Newmark, Scheme
+from arcless.model.settings.schemes import (
+    GeneralisedAlpha,
+    HilberHughesTaylor,
+    Newmark,
+    Scheme,
+    Trapezoidal,
+)
 
 Floats = NDArray[np.float64]
 
@@ -96,6 +102,17 @@ def scheme_numbers(scheme: Scheme) -> tuple[str, list[float]]:
     if isinstance(scheme, GeneralisedAlpha):
         return scheme.name, [scheme.spectral_radius]
     return scheme.name, []
+
+
+def time_of_balance(scheme: Scheme) -> float:
+    """Return the part of a step after which a scheme balances forces: 1 at its end."""
+    if isinstance(scheme, Trapezoidal):
+        return 0.5
+    if isinstance(scheme, HilberHughesTaylor):
+        return 1.0 + scheme.alpha
+    if isinstance(scheme, GeneralisedAlpha):
+        return 1.0 / (1.0 + scheme.spectral_radius)
+    return 1.0
 
 
 def contact_stiffness(scenario: Scenario) -> float:

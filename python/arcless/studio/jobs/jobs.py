@@ -2,7 +2,6 @@
 
 import asyncio
 import itertools
-import os
 import secrets
 import time
 from collections import deque
@@ -12,6 +11,7 @@ from contextlib import asynccontextmanager, suppress
 from pathlib import Path
 from typing import Any
 
+from arcless.platforms.processors import processors
 from arcless.storage import hidden_files
 from arcless.studio.answers.answers import Refused, complaint
 from arcless.studio.jobs.entry import Entry
@@ -49,7 +49,7 @@ class Jobs:
 
     def __init__(self, tell: Callable[[dict[str, Any]], None], most: int | None = None) -> None:
         self._tell = tell
-        self._most = most or len(os.sched_getaffinity(0))
+        self._most = most or processors()
         self._entries: dict[str, Entry] = {}
         self._waiting: deque[Entry] = deque()
         self._questions: deque[Entry] = deque()

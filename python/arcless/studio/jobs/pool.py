@@ -7,9 +7,9 @@ from contextlib import suppress
 from functools import partial
 from typing import Any
 
+from arcless.platforms.shared_files import new_file
 from arcless.studio.jobs.entry import Entry
 from arcless.studio.jobs.ready import make_ready
-from arcless.studio.motion.spool import new_file
 from arcless.studio.processes.worker import Worker
 
 # Processes that wait for a task, each of 100 MB: with fewer a run waits a second for one to start.
@@ -69,7 +69,7 @@ class Pool:
             entry.task.function,
             *entry.task.arguments,
             heard=partial(on_loop, self._heard, entry),
-            spool=None if file is None else file.fileno(),
+            spool=file,
         )
         end.add_done_callback(partial(on_loop, self._free, worker, entry))
 

@@ -1,11 +1,9 @@
-"""Spool: motion of a run that is being computed, in a temporary file without a name.
+"""Spool: motion of a run that is being computed, in a temporary file of two processes.
 
 The worker process writes rows of one size, the server reads them by their number. Whatever is
 watched, paused or skipped happens on the side of the reader: the run knows nothing of it.
 """
 
-import os
-import tempfile
 import time
 from collections.abc import Callable, Iterator
 from typing import BinaryIO
@@ -13,6 +11,7 @@ from typing import BinaryIO
 import numpy as np
 from numpy.typing import NDArray
 
+from arcless.platforms.positioned import read_at, write_at
 from arcless.studio.at_rest.plain_geometry import Geometry
 from arcless.studio.motion.channels import ROUNDING_S, Channel, Moment
 from arcless.studio.motion.layout import LineMotion, RowLayout
@@ -23,11 +22,6 @@ LARGEST = 4 << 30
 # Time in s between two words of where the spool ends.
 _BETWEEN_S = 0.05
 Grown = Callable[[int, float, bool], None]
-
-
-def new_file() -> BinaryIO:
-    """Return a new file without a name, which is gone when nobody has it open any more."""
-    return tempfile.TemporaryFile("w+b", buffering=0, prefix="arcless-studio-")
 
 
 class SpoolWriter:
@@ -77,7 +71,7 @@ class SpoolWriter:
     def _write(self, view: memoryview) -> None:
         place = self._rows * self._type.itemsize
         while view:
-            done = os.pwrite(self._descriptor, view, place)
+            done = write_at(self._descriptor, view, place)
             view, place = view[done:], place + done
 
 
@@ -172,4 +166,4 @@ class SpooledMotion:
         return np.frombuffer(self._pread(self._type.itemsize, number), self._type)
 
     def _pread(self, size: int, number: int) -> bytes:
-        return os.pread(self._file.fileno(), size, number * self._type.itemsize)
+        return read_at(self._file.fileno(), size, number * self._type.itemsize)

@@ -4,36 +4,24 @@ It is a new interpreter: a fork of a server with threads may hang, and `multipro
 import the main program once more, and start one more process that watches over the others.
 """
 
-import os
-import signal
 import socket
-import subprocess
-import sys
 import threading
 from collections import deque
 from collections.abc import Callable
 from concurrent.futures import Future
 from contextlib import suppress
-from multiprocessing.connection import Connection
-from multiprocessing.reduction import send_handle
-from typing import Any
+from typing import Any, BinaryIO
 
 from arcless.errors import ArclessError
+from arcless.platforms.children import connection_of, environment, start
+from arcless.platforms.ends import why_ended
+from arcless.platforms.shared_files import send_file
 from arcless.studio.processes.ends import Cancelled, Failed, Gone
 from arcless.studio.processes.worker_process import LAST_S
 
 Heard = Callable[[Any], object]
 _Task = tuple[Future[Any], Heard | None]
 _MODULE = "arcless.studio.processes.worker_process"
-# Signals by which a process ends that nobody of us sent, in words, and what to do about it.
-_KILLED: dict[str, tuple[str, str | None]] = {
-    "SIGKILL": ("it was killed, by a user or because the memory of the machine was used up",
-                "record less or shorten the line where memory is short"),
-    "SIGTERM": ("it was terminated", None),
-    "SIGSEGV": ("it crashed (segmentation fault)", "please report it"),
-    "SIGABRT": ("it aborted itself", "please report it"),
-    "SIGBUS": ("it could not reach its memory or a file", "is a disk full?"),
-}  # fmt: skip
 
 
 class Worker:
@@ -54,18 +42,9 @@ class Worker:
     """
 
     def __init__(self, last_s: float = LAST_S) -> None:
-        ours, theirs = socket.socketpair()
-        with theirs:
-            self.process = subprocess.Popen(
-                [sys.executable, "-P", "-m", _MODULE, str(theirs.fileno()), str(last_s)],
-                pass_fds=[theirs.fileno()],
-                stdin=subprocess.DEVNULL,
-                stdout=subprocess.DEVNULL,
-                env=_environment(),
-                start_new_session=True,  # Ctrl-C in the terminal is for the server alone
-            )
+        self.process, self._line = start(_MODULE, [str(last_s)], environment())
         self.used = 0
-        self._line, self._connection = ours, Connection(os.dup(ours.fileno()))
+        self._connection = connection_of(self._line)
         self._sending = threading.Lock()
         self._tasks: deque[_Task] = deque()
         self._cancelled: list[Future[Any]] = []
@@ -79,7 +58,7 @@ class Worker:
 
     def do(
         self, function: Callable[..., Any], *arguments: Any,
-        heard: Heard | None = None, spool: int | None = None,
+        heard: Heard | None = None, spool: BinaryIO | None = None,
     ) -> Future[Any]:  # fmt: skip
         """Have a task done, after those that were given before.
 
@@ -92,7 +71,7 @@ class Worker:
             Called with what the function says, in order, by a thread of this worker: while it does
             not return, the function waits as soon as its words fill the line.
         spool
-            Descriptor of a file that the function writes to.
+            A file of `shared_files` that the function writes to.
 
         Returns
         -------
@@ -110,7 +89,7 @@ class Worker:
             try:
                 self._connection.send(("do", (function, arguments), spool is not None))
                 if spool is not None:
-                    send_handle(self._connection, spool, self.process.pid)
+                    send_file(self._connection, spool, self.process.pid)
             except OSError:
                 pass  # it is gone, which `_listen` tells
             except Exception:  # what does not pickle
@@ -177,12 +156,8 @@ class Worker:
 
     def _why(self) -> Gone:
         """Return why the process ended."""
-        code = self.process.returncode
-        if code >= 0:
-            what: tuple[str, str | None] = (f"it ended with code {code}", "please report it")
-        else:
-            what = _KILLED.get(signal.Signals(-code).name, (f"signal {-code}", None))
-        return Gone(f"the process that computed this is gone: {what[0]}", what[1])
+        what, hint = why_ended(self.process.returncode)
+        return Gone(f"the process that computed this is gone: {what}", hint)
 
 
 def _error(how: str, value: Any) -> Exception:
@@ -195,12 +170,3 @@ def _later(wait_s: float, act: Callable[[], Any]) -> None:
     timer = threading.Timer(wait_s, act)
     timer.daemon = True
     timer.start()
-
-
-def _environment() -> dict[str, str]:
-    """Return the environment of a worker: modules of the same places, no busy threads."""
-    found = dict(os.environ)
-    found["PYTHONPATH"] = os.pathsep.join(place for place in sys.path if place)
-    # A thread of OpenBLAS waits busily for products, and none here is large enough for two.
-    found.setdefault("OPENBLAS_NUM_THREADS", "1")
-    return found

@@ -1,6 +1,6 @@
 """Main program of a worker process: it does one task after the other, as long as the server lives.
 
-Its command line is `python -m arcless.studio.processes.worker_process DESCRIPTOR LAST_S`.
+Its command line is `python -m arcless.studio.processes.worker_process LINE LAST_S`.
 """
 
 import os
@@ -10,11 +10,12 @@ import sys
 import threading
 from contextlib import suppress
 from multiprocessing.connection import Connection
-from multiprocessing.reduction import recv_handle
-from pathlib import Path
 from typing import Any
 
 from arcless.errors import ArclessError
+from arcless.platforms.children import connect
+from arcless.platforms.memory import most_memory
+from arcless.platforms.shared_files import receive_file
 from arcless.studio.processes.talk import Talk
 
 # Time in s that a task has to clean up when the server is gone; then the process ends.
@@ -31,7 +32,7 @@ def main() -> None:
     # Ctrl-C in the terminal is the server's; it ends its workers.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     sys.setswitchinterval(_TURN_S)
-    connection, last_s = Connection(int(sys.argv[1])), float(sys.argv[2])
+    connection, last_s = connect(sys.argv[1]), float(sys.argv[2])
     tasks: queue.SimpleQueue[tuple[Call, Talk] | None] = queue.SimpleQueue()
     threading.Thread(target=_listen, args=(connection, tasks, last_s), daemon=True).start()
     while (task := tasks.get()) is not None:
@@ -52,7 +53,7 @@ def _listen(
                 case ("order", order):
                     talk.orders.put(order)
                 case ("do", call, has_spool):
-                    talk = Talk(connection, recv_handle(connection) if has_spool else None)
+                    talk = Talk(connection, receive_file(connection) if has_spool else None)
                     tasks.put((call, talk))
     talk.cancelled.set()
     threading.Timer(last_s, os._exit, (1,)).start()
@@ -72,7 +73,7 @@ def _do(call: Call, talk: Talk) -> None:
         end = ("failed", _failure(error))
     if talk.spool is not None:
         os.close(talk.spool)
-    used = _most_memory()
+    used = most_memory()
     try:
         talk.send(("end", *end, used))
     except Exception as error:  # what it returns, or an error, does not pickle
@@ -89,24 +90,6 @@ def _failure(error: Exception) -> tuple[str, str | None]:
             place = f"{error.filename}: " if error.filename else ""
             return f"{place}{error.strerror or error}", None
     return f"internal fault: {type(error).__name__}: {error}", "please report it"
-
-
-def _most_memory(status: Path = Path("/proc/self/status")) -> int | None:
-    """Return the most memory in bytes that this process has used; None where nothing tells it.
-
-    Without Linux's `status` that of `getrusage` counts, which on Linux is no less than what the
-    server used when it started the process.
-    """
-    with suppress(OSError):
-        found = status.read_text("ascii").partition("VmHWM:")[2].split(maxsplit=1)
-        if found:
-            return 1024 * int(found[0])
-    try:
-        import resource
-    except ImportError:  # Windows
-        return None
-    unit = 1 if sys.platform == "darwin" else 1024  # bytes of ru_maxrss: getrusage(2) of each
-    return unit * resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
 
 
 if __name__ == "__main__":

@@ -9,6 +9,7 @@ from anyio.to_thread import run_sync
 
 from arcless.errors import OutputError
 from arcless.measurements.table.dialect import LARGEST_FILE
+from arcless.platforms.file_names import refused_by_windows
 from arcless.storage.whole_files import replacing
 from arcless.studio.project.project import Project
 from arcless.units import show
@@ -40,6 +41,8 @@ async def keep(project: Project, name: str, pieces: AsyncIterator[bytes]) -> str
     if not (name.lower().endswith(ENDING) and _NAME.fullmatch(name)):
         expected = "letters, digits, blanks and - _ . , ( ) + = @, with .csv at the end"
         raise OutputError("no name for a measured run", got=show(name), expected=expected)
+    if (trouble := refused_by_windows(name)) is not None:
+        raise OutputError("no name for a measured run", got=trouble, expected="another name")
     folder = await run_sync(_folder, project)
     file = await run_sync(_free, folder, name)
     with replacing(file) as new:

@@ -6,6 +6,7 @@ puts a link into it afterwards, opening it fails: no step of the way may be a li
 
 import os
 import stat
+import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -14,9 +15,8 @@ from arcless.errors import OutputError
 from arcless.model.files.yaml_reader import MAX_BYTES, check_size
 from arcless.studio.project.project import Project
 
-_FOLDER = os.O_RDONLY | os.O_DIRECTORY | os.O_NOFOLLOW | os.O_CLOEXEC
-# A pipe is opened without waiting for its other end, and then refused.
-_FILE = os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC
+if sys.platform == "win32":
+    from arcless.platforms.opened_paths import open_in_place, path_of
 
 
 def read_bytes(project: Project, file: Path, label: str) -> bytes:
@@ -53,18 +53,33 @@ def read_bytes(project: Project, file: Path, label: str) -> bytes:
 
 @contextmanager
 def _opened(project: Project, file: Path) -> Iterator[int]:
-    is_own = file.is_relative_to(project.folder)
-    parts = file.relative_to(project.folder).parts if is_own else (file.name,)
-    here = os.open(project.folder if is_own else file.parent, os.O_RDONLY | os.O_DIRECTORY)
-    try:
-        for part in parts[:-1]:
-            below = os.open(part, _FOLDER, dir_fd=here)
-            os.close(here)
-            here = below
-        descriptor = os.open(parts[-1], _FILE, dir_fd=here)
-    finally:
-        os.close(here)
+    descriptor = _open(project, file)
     try:
         yield descriptor
     finally:
         os.close(descriptor)
+
+
+if sys.platform == "win32":
+
+    def _open(_project: Project, file: Path) -> int:
+        """Open a file, and look afterwards which one it is: folders are not opened there."""
+        return open_in_place(file, path_of)
+else:
+    _FOLDER = os.O_RDONLY | os.O_DIRECTORY | os.O_NOFOLLOW | os.O_CLOEXEC
+    # A pipe is opened without waiting for its other end, and then refused.
+    _FILE = os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC
+
+    def _open(project: Project, file: Path) -> int:
+        """Open a file by the folders above it, one in the other."""
+        is_own = file.is_relative_to(project.folder)
+        parts = file.relative_to(project.folder).parts if is_own else (file.name,)
+        here = os.open(project.folder if is_own else file.parent, os.O_RDONLY | os.O_DIRECTORY)
+        try:
+            for part in parts[:-1]:
+                below = os.open(part, _FOLDER, dir_fd=here)
+                os.close(here)
+                here = below
+            return os.open(parts[-1], _FILE, dir_fd=here)
+        finally:
+            os.close(here)

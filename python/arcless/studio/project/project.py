@@ -1,10 +1,12 @@
 """The folder of a project: the only place of the disk that the page reads and writes."""
 
 import os
+import sys
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 
 from arcless.errors import OutputError
+from arcless.platforms.file_names import refused_by_windows
 from arcless.storage.shipped_files import FOLDERS, shipped
 from arcless.units import show
 
@@ -50,6 +52,8 @@ class Project:
         is_plain = parts and "\0" not in path and "\\" not in path and len(path) <= _LONGEST
         if not is_plain or path.startswith("/") or any(part.startswith(".") for part in parts):
             raise _outside(path)
+        if sys.platform == "win32" and any(refused_by_windows(part) for part in parts):
+            raise _outside(path)  # a device, a stream of a file, a file by another name
         try:
             whole = (self.folder / path).resolve()
         except (OSError, RuntimeError, ValueError):

@@ -4,6 +4,7 @@ import codecs
 import hashlib
 import os
 import stat
+import sys
 import threading
 from pathlib import Path
 from typing import Any
@@ -106,5 +107,6 @@ def _as_before(text: str, before: bytes, path: str) -> bytes:
 def _replace(file: Path, content: bytes, *, is_new: bool) -> None:
     with replacing(file) as new:
         new.write(content)
-        if not is_new:
+        # On Windows a file has one right of this kind, to be written, and this one had it.
+        if not is_new and sys.platform != "win32":
             os.fchmod(new.fileno(), stat.S_IMODE(file.stat().st_mode))

@@ -7,6 +7,7 @@ from typing import Any
 from arcless.errors import OutputError
 from arcless.model.load import load_text
 from arcless.model.variants.variant_files import variant_text
+from arcless.platforms.file_names import refused_by_windows
 from arcless.storage.shipped_files import shipped
 from arcless.studio.answers.answers import Refused
 from arcless.studio.project import texts
@@ -43,6 +44,8 @@ def make(project: Project, scenario: object, name: object, changes: object) -> s
     if not _NAME.fullmatch(name) or name in shipped("scenario"):
         expected = "letters, digits, blanks, - _ . + =, and not the name of a shipped scenario"
         raise OutputError("no name for a scenario", got=show(name), expected=expected)
+    if (trouble := refused_by_windows(f"{name}.yaml")) is not None:
+        raise OutputError("no name for a scenario", got=trouble, expected="another name")
     base = texts.model_file(project, scenario)
     folder, named = project.folder, scenario.rpartition("/")[2]
     if not is_shipped(scenario):

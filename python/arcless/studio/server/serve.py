@@ -11,6 +11,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from arcless.errors import OutputError
+from arcless.platforms.signals import ENDING
 from arcless.studio.project.project import Project
 from arcless.studio.runs import left_behind
 from arcless.studio.server import page
@@ -26,7 +27,13 @@ _GRACE_S = 0
 LEAVE_S = 0.7
 # Bytes of one message of a WebSocket: questions and settings, no files.
 LONGEST_MESSAGE = 64 * 1024
-_ENDING = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+_ENDS = (signal.SIGINT, *ENDING)
+if sys.platform == "win32":
+    # A port that was used a minute ago may be taken again without asking, and `SO_REUSEADDR` would
+    # let another program take one that is in use, which this option forbids.
+    _OF_ADDRESS = socket.SO_EXCLUSIVEADDRUSE
+else:
+    _OF_ADDRESS = socket.SO_REUSEADDR  # a port that was used a minute ago may be taken again
 _AFTER_SIGNAL = 128  # what a shell adds to the number of the signal that ended a program
 
 
@@ -105,7 +112,7 @@ def _answering(leave: Callable[[int], None]) -> Generator[None, None, None]:
         return
     before = {
         number: signal.signal(number, lambda came, _: leave(came))
-        for number in _ENDING
+        for number in _ENDS
         if signal.getsignal(number) is not signal.SIG_IGN
     }
     try:
@@ -137,7 +144,7 @@ def _listening(port: int) -> socket.socket:
     # By its protocol asyncio knows that it is TCP, and sends without delay: otherwise every answer
     # in two pieces waits 40 ms for the browser to confirm the first one.
     listener = socket.socket(socket.AF_INET, socket.SOCK_STREAM, socket.IPPROTO_TCP)
-    listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+    listener.setsockopt(socket.SOL_SOCKET, _OF_ADDRESS, 1)
     try:
         listener.bind((HOST, port))
         listener.listen()

@@ -15,8 +15,9 @@ def code_version() -> str:
     The Python modules, the compiled core and the shipped models count, each with its name.
     """
     digest = hashlib.sha256()
-    for suffix in ("*.py", "*.so", "*.yaml"):
+    # `.pyd` is the core on Windows
+    for suffix in ("*.py", "*.so", "*.pyd", "*.yaml"):
         for file in sorted(_PACKAGE.rglob(suffix)):
-            digest.update(f"{file.relative_to(_PACKAGE)}\n".encode())
+            digest.update(f"{file.relative_to(_PACKAGE).as_posix()}\n".encode())
             digest.update(file.read_bytes())
     return f"{version('arcless')}+{digest.hexdigest()[:12]}"

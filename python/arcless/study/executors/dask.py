@@ -1,13 +1,13 @@
 """Dask: worker processes of this machine, or a cluster behind a scheduler that runs already."""
 
 import logging
-import os
-import signal
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
 from typing import TYPE_CHECKING
 
 from arcless.errors import ExecutorError
+from arcless.platforms.processors import processors
+from arcless.platforms.signals import started_without_ctrl_c
 from arcless.study.definition.study import Execution
 from arcless.study.evaluation.evaluate import Cancel, Take, Task
 from arcless.study.evaluation.messages import Note
@@ -93,9 +93,9 @@ def _local(workers: int | None) -> "Iterator[Client]":
     """Start worker processes on this machine, and stop them in the end."""
     from distributed import Client, LocalCluster
 
-    count = workers or len(os.sched_getaffinity(0))
+    count = workers or processors()
     with ExitStack() as stack:
-        with _without_ctrl_c():
+        with started_without_ctrl_c():
             cluster = LocalCluster(
                 n_workers=count,
                 threads_per_worker=1,
@@ -106,19 +106,3 @@ def _local(workers: int | None) -> "Iterator[Client]":
         stack.enter_context(cluster)
         client = stack.enter_context(Client(cluster, set_as_default=False))
         yield client
-
-
-@contextmanager
-def _without_ctrl_c() -> Iterator[None]:
-    """Let processes and threads that are started within not hear Ctrl-C; who started them does.
-
-    A terminal sends it to all of them, and each worker would print where it was.
-    """
-    from multiprocessing import resource_tracker
-
-    resource_tracker.ensure_running()  # started later, it would undo what is done here
-    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
-    try:
-        yield
-    finally:
-        signal.pthread_sigmask(signal.SIG_SETMASK, before)

@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING, Any
 from uuid import uuid4
 
 from arcless.errors import OutputError, StudyError
+from arcless.platforms.file_names import refused_by_windows
+from arcless.platforms.moving import move
 from arcless.storage.whole_files import write_bytes
 from arcless.study.definition.load import contents, differences, digest, meaning
 from arcless.study.definition.study import Study
@@ -82,7 +84,8 @@ class StudyFolder:
 
     def __init__(self, study: Study, path: Path | None = None) -> None:
         plain = re.sub(r"[^\w.-]+", "-", study.name).strip("-.") or "study"
-        self._usual = Path("runs") / "studies" / plain
+        own = f"_{plain}" if refused_by_windows(plain) else plain
+        self._usual = Path("runs") / "studies" / own
         self.study = study
         self.path = self._usual if path is None else path
         self.damage = Damage()
@@ -216,7 +219,8 @@ class StudyFolder:
                 hint="begin anew in another folder with `--out`",
             )
         add(self.journal, there, self.hash)
-        aside = former.replace(self.path / _FORMER)
+        aside = self.path / _FORMER
+        move(former, aside)
         left = f", lines left out as damaged: {len(damage.rows)}" if damage.rows else ""
         return (
             f"the journal is a database now: {len(there)} rows were taken over from that of an"

@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from arcless.errors import OutputError, StudyError
+from arcless.platforms.moving import move
 from arcless.storage import hidden_files
 from arcless.storage.whole_files import check_writable, sync_folder
 from arcless.study.definition.study import Study
@@ -81,7 +82,7 @@ def _write(target: Path, study: Study, search: Search, rows: list[Row]) -> int:
         raise _not_written(error, target) from error
     try:
         _fill(hidden / NAME, study, search, rows)
-        (hidden / NAME).replace(target)
+        move(hidden / NAME, target)
         sync_folder(target.parent)
     except (OSError, sqlite3.Error) as error:
         raise _not_written(error, target) from error

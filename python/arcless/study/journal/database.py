@@ -9,6 +9,8 @@ from pathlib import Path
 from shutil import copyfile
 from tempfile import TemporaryDirectory
 
+from arcless.storage.lock import database_address
+
 # Exceptions that a database may raise; damaged lengths ask for memory that nobody has.
 ERRORS = (sqlite3.DatabaseError, MemoryError)
 # Files that belong to a database.
@@ -25,7 +27,7 @@ _REFUSED = {
 
 def connect(path: Path, mode: str = "rwc") -> sqlite3.Connection:
     """Open a database; every statement is a transaction, texts are bytes."""
-    address = f"{path.absolute().as_uri()}?mode={mode}"
+    address = database_address(path.absolute(), mode)
     base = sqlite3.connect(address, timeout=_PATIENCE_S, isolation_level=None, uri=True)
     base.text_factory = bytes
     return base

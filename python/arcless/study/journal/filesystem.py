@@ -8,6 +8,7 @@ import os
 import re
 import shutil
 import sqlite3
+import sys
 from contextlib import closing
 from pathlib import Path
 
@@ -31,7 +32,7 @@ def carries_wal(folder: Path) -> bool:
 def is_local(folder: Path) -> bool:
     """Return whether a folder is on this machine; where nobody can tell, it is taken for it."""
     place = os.path.realpath(folder)
-    if os.name == "nt":
+    if sys.platform == "win32":
         return not place.startswith("\\\\")  # letters of network drives are resolved, too
     kind = _kind(place)
     return kind is None or kind in _LOCAL

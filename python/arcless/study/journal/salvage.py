@@ -13,6 +13,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from arcless.errors import StudyError
+from arcless.platforms.moving import move
 from arcless.storage.whole_files import sync_folder
 from arcless.study.journal.database import BESIDE, ERRORS, connect, is_damage, tables
 from arcless.study.journal.row import Row
@@ -195,7 +196,7 @@ def _rebuilt(path: Path, spare: dict[int, Row], study: str) -> str:
         raise
     for end in BESIDE:  # before the new one has its name, which would take them for its own
         Path(f"{path}{end}").unlink(missing_ok=True)
-    fresh.replace(path)
+    move(fresh, path)
     sync_folder(path.parent)
     return (
         f"the journal was damaged: {len(rows)} rows of it could be read and are kept, all others "

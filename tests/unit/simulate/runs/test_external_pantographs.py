@@ -96,16 +96,16 @@ def test_a_mass_moved_by_a_program_bounces_as_a_simulated_one() -> None:
     assert program.asked[-1] == (STEPS - 1, (STEPS - 1) * H, 0.0, 0.0)
 
 
-def test_work_on_the_strip_is_the_energy_of_the_mass() -> None:
+def test_work_on_the_strip_is_what_the_mass_does_not_keep() -> None:
     program = Mass()
     found = bare.run(bare.wall(), external(program), asked())["energy"]
-    force = FORCE + given()
-    rows = bare.run(bare.wall(), bare.free_mass(MASS, FORCE, given()), asked())
-    lifted = np.diff(np.concatenate([[0.0], rows["masses"]]))
-    supplied = np.cumsum(force[1:] * lifted)
-    stored = supplied - np.asarray(found["work_uplift"])
-    # What the force did and the strip did not pass on is in the motion of the mass.
-    np.testing.assert_allclose(stored, rows["energy"]["pantograph"], atol=1e-9)
+    inside = bare.run(bare.wall(), bare.free_mass(MASS, FORCE, given()), asked())["energy"]
+    assert not np.any(found["pantograph"])
+    by_scheme = inside["dissipated_scheme"] - found["dissipated_scheme"]
+    passed_on = inside["work_uplift"] - inside["pantograph"] - by_scheme
+    assert np.ptp(passed_on) > 0.1
+    # Rounding of heights times the contact force.
+    np.testing.assert_allclose(found["work_uplift"], passed_on, atol=1e-8)
 
 
 def test_an_exception_of_the_program_reaches_the_caller() -> None:

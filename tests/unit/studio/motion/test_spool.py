@@ -6,9 +6,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from arcless.platforms.shared_files import new_file
 from arcless.studio.motion import spool
 from arcless.studio.motion.channels import MotionSource, Piece, moves_wires
-from arcless.studio.motion.spool import SpooledMotion, SpoolWriter, new_file
+from arcless.studio.motion.spool import SpooledMotion, SpoolWriter
 from tests.support.studio_tasks import EVERY_S, GEOMETRY, LAYOUT, NODES, rows_of
 
 
@@ -58,8 +59,8 @@ def test_what_a_row_holds() -> None:
 def test_few_reads_find_a_row(monkeypatch: pytest.MonkeyPatch) -> None:
     _, motion = spooled(5000)
     reads = []
-    read = os.pread
-    monkeypatch.setattr(os, "pread", lambda *given: reads.append(given) or read(*given))
+    read = spool.read_at
+    monkeypatch.setattr(spool, "read_at", lambda *given: reads.append(given) or read(*given))
     numbers(motion, 31.41, 31.41, 0.0)
     # First row, up to six around the guess for each end, and the row itself.
     assert len(reads) < 20
@@ -71,7 +72,7 @@ def test_a_full_disk_ends_the_motion_and_not_the_run(monkeypatch: pytest.MonkeyP
     def full(*_: object) -> int:
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr(os, "pwrite", full)
+    monkeypatch.setattr(spool, "write_at", full)
     writer.append(rows_of(10, 10))
     monkeypatch.undo()
     writer.append(rows_of(20, 10))  # a gap would be worse than an early end

@@ -3,9 +3,11 @@
 import json
 import os
 import socket
+import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import httpx
@@ -15,7 +17,7 @@ from starlette.testclient import TestClient
 import arcless
 from arcless.dataset.netcdf.store import save
 from arcless.errors import OutputError
-from arcless.studio.project import opening
+from arcless.studio.project import opening, project
 from arcless.studio.project.project import Project
 from tests.support.synthetic import synthetic_dataset
 
@@ -83,6 +85,24 @@ PATHS = [
     "shipped:line//etc/passwd", "link.yaml", "out/canary.yaml", "out", "loop.yaml", "loop/x.yaml",
     "pipe.yaml", "socket.yaml", "device.yaml", "proc/self/environ", "proc/version.yaml",
 ]  # fmt: skip
+
+
+# Devices, streams of a file, a file by another name: what Windows would open for them.
+OF_WINDOWS = [
+    "nul.yaml", "CON", "a/aux/x.yaml", "com1.yaml", "line.yaml:stream", "C:line.yaml", "line.yaml.",
+    "line.yaml ", "folder./line.yaml",
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("path", OF_WINDOWS)
+def test_names_that_windows_has_for_something_else(
+    path: str, folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    if sys.platform != "win32":  # elsewhere they are names like others
+        assert Project(folder).inside(path) == folder / path
+    monkeypatch.setattr(project, "sys", SimpleNamespace(platform="win32"))
+    with pytest.raises(OutputError, match="no file of this folder"):
+        Project(folder).inside(path)
 
 
 @pytest.fixture

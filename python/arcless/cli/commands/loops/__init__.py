@@ -1,0 +1,1 @@
+"""Commands for lines that are stepped from outside."""

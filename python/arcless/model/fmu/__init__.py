@@ -1,0 +1,1 @@
+"""FMUs that stand in model files: their description, and how a model names their variables."""

@@ -1,0 +1,1 @@
+"""Differences between Linux, macOS and Windows: each module gives one thing on all of them."""

@@ -1,0 +1,1 @@
+"""Page of a pantograph that was fitted to a measured receptance."""
