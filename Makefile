@@ -4,7 +4,7 @@
 SHELL := /bin/sh
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help build demo test peers evidence pages fuzz golden lint bench counts page pictures wheel windows arm clean \
+.PHONY: help build demo test peers evidence pages fuzz golden lint bench counts page pictures wheel windows fmu arm clean \
 	check-python check-rust
 
 VENV := .venv
@@ -28,6 +28,7 @@ OLDEST_RUST := $(shell sed -n 's/^rust-version = "\(.*\)"/\1/p' Cargo.toml)
 
 # What NumPy's and h5py's wheels ask for; zig links against this version wherever it runs.
 GLIBC := manylinux_2_28
+GLIBC_TARGET := x86_64-unknown-linux-gnu.2.28
 ZIG := ziglang>=0.13
 
 # The first interpreter that is new enough; `make PYTHON=/path/to/python3 build` overrides it.
@@ -125,7 +126,10 @@ pictures: page ## take the pictures of the guide to the studio anew, in Chromium
 
 wheel: page ## make dist/arcless-*.whl for Linux of glibc 2.28, and try it in an empty environment
 	@rm -f dist/arcless-*-manylinux*_x86_64.whl
-	@$(BIN)/python -m ziglang version >/dev/null 2>&1 || $(BIN)/python -m pip install --quiet '$(ZIG)'
+	@$(BIN)/python -m ziglang version >/dev/null 2>&1 && test -x $(BIN)/cargo-zigbuild \
+	|| $(BIN)/python -m pip install --quiet '$(ZIG)' cargo-zigbuild
+	@PATH="$(CURDIR)/$(BIN):$$PATH" cargo zigbuild --release --quiet -p arcless-ffi --target $(GLIBC_TARGET)
+	@install -D -m 644 -s target/$(basename $(basename $(GLIBC_TARGET)))/release/libarcless_loop.so $(LIBRARIES)/$(PLATFORM)/arcless_loop.so
 	$(MATURIN) build --release --strip --out dist --zig --compatibility $(GLIBC)
 	@trial=$$(mktemp -d) && trap 'rm -rf "$$trial"' EXIT && set -e; \
 	$(BIN)/python -m venv "$$trial"; \
@@ -138,6 +142,9 @@ wheel: page ## make dist/arcless-*.whl for Linux of glibc 2.28, and try it in an
 # Debian's packages are needed, see docs/guide/systems.md; nothing in CI builds for other systems.
 windows: page ## make dist/arcless-*-win_amd64.whl on Debian; try it and the core's tests under wine
 	$(BIN)/python -m cross.windows $(PARTS)
+
+fmu: build ## add the library for Windows to the FMUs that are exported here, on Debian
+	$(BIN)/python -m cross.windows library
 
 arm: page ## make the wheel for Linux on aarch64 on Debian; try the core's tests under qemu
 	$(BIN)/python -m cross.arm $(PARTS)

@@ -1,9 +1,10 @@
 """The wheel for Windows, built on Debian; the core's tests and the wheel itself run under wine.
 
-    python -m cross.windows [wheel] [core] [try]
+    python -m cross.windows [wheel] [core] [try] [library]
 
-Without a word all three: `wheel` makes dist/arcless-*-win_amd64.whl, `core` runs the tests of the
-numerical core, `try` installs the wheel for CPython of Windows and runs tests there.
+Without a word the first three: `wheel` makes dist/arcless-*-win_amd64.whl, `core` runs the tests of the
+numerical core, `try` installs the wheel for CPython of Windows and runs tests there. `library` puts the library of
+FMUs beside that of this system, so that every FMU exported here has both.
 """
 
 import os
@@ -12,11 +13,13 @@ import subprocess
 import sys
 from pathlib import Path
 
-from cross.toolchain import ROOT, MissingError, need, run, unpacked
+from cross.toolchain import CARGO_OUT, ROOT, MissingError, need, run, unpacked
 from cross.wine_libraries import complete
 
 TARGET = "x86_64-pc-windows-gnu"
 _BUILD_STD = "build-std=std,panic_unwind"
+_LIBRARY = "arcless_loop.dll"
+_LIBRARIES = ROOT / "python" / "arcless" / "fmi" / "libraries" / "x86_64-windows"
 _UNDER_WINE = ROOT / "target" / "cross" / "wine"
 _FORCES = _UNDER_WINE / "forces.npy"
 # CPython of python.org, in a package of PyPI; and packages that the tests below take.
@@ -28,7 +31,7 @@ _TESTS = ("tests/windows",)
 def main(parts: list[str]) -> None:
     """Do what is asked for."""
     for part in parts or ["wheel", "core", "try"]:
-        {"wheel": wheel, "core": core, "try": try_wheel}[part]()
+        {"wheel": wheel, "core": core, "try": try_wheel, "library": library}[part]()
 
 
 def wheel() -> None:
@@ -38,6 +41,20 @@ def wheel() -> None:
         sys.executable, "-m", "maturin", "build", "--release", "--strip", "--target", TARGET,
         "-Z", _BUILD_STD, "--out", "dist", environment=environment,
     )  # fmt: skip
+
+
+def library() -> None:
+    """Make the library of FMUs and of the C interface."""
+    environment = unpacked() | {f"CARGO_TARGET_{_capital()}_LINKER": _linker()}
+    run(
+        "cargo", "build", "--release", "-p", "arcless-ffi", "--target", TARGET, "-Z", _BUILD_STD,
+        environment=environment,
+    )  # fmt: skip
+    made = CARGO_OUT / TARGET / "release" / _LIBRARY
+    run(need("x86_64-w64-mingw32-strip", "binutils-mingw-w64-x86-64"), str(made))
+    _LIBRARIES.mkdir(parents=True, exist_ok=True)
+    shutil.copyfile(made, _LIBRARIES / _LIBRARY)
+    print(f"wrote {(_LIBRARIES / _LIBRARY).relative_to(ROOT)}", file=sys.stderr)
 
 
 def core() -> None:

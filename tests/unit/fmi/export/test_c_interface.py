@@ -63,6 +63,55 @@ def test_the_example_in_c_takes_the_steps_of_the_loop(scenario: Scenario, bench:
     assert missing.stderr.startswith("`none.loop`: ")
 
 
+# Counts what is allocated between the first and the last of many steps; a program's own `malloc`
+# stands before that of the C library for every library that it loads.
+COUNTING = r"""
+#include <stdio.h>
+#include <stdlib.h>
+#include "arcless_loop.h"
+extern void *__libc_malloc(size_t), *__libc_calloc(size_t, size_t), *__libc_realloc(void *, size_t);
+static long counted;
+void *malloc(size_t n) { counted++; return __libc_malloc(n); }
+void *calloc(size_t n, size_t m) { counted++; return __libc_calloc(n, m); }
+void *realloc(void *p, size_t n) { counted++; return __libc_realloc(p, n); }
+int main(int count, char **words) {
+    char text[300];
+    arcless_loop *device = arcless_loop_open(ARCLESS_LOOP_VERSION, words[count - 1], text, 300);
+    if (!device || counted == 0) return 1;
+    unsigned int n = arcless_loop_count(device), numbers[500];
+    double values[500];
+    for (unsigned int i = 0; i < n; i++) numbers[i] = i;
+    counted = 0;
+    for (int step = 0; step < 500; step++) {
+        if (arcless_loop_get(device, numbers, values, n)) return 2;
+        if (arcless_loop_set(device, numbers + 1, values + 1, 1)) return 3;
+        if (arcless_loop_step(device)) return 4;
+    }
+    printf("%ld\n", counted);
+    return 0;
+}
+"""
+
+
+@pytest.mark.parametrize(
+    "choice",
+    [{}, {"given": "strip-height"}, {"given": "control-force"}, {"pantograph": "P1"}],
+    ids=repr,
+)
+def test_steps_allocate_nothing(scenario: Scenario, bench: Path, choice: dict[str, Any]) -> None:
+    compiler = shutil.which("cc")
+    if compiler is None:
+        pytest.skip("no C compiler here")
+    (bench / "counting.c").write_text(COUNTING, "utf-8")
+    export_model(scenario, bench / "counted.loop", **choice)
+    words = ("-O1", "-I.", "counting.c", "-L.", "-larcless_loop", "-Wl,-rpath,$ORIGIN")
+    subprocess.run([compiler, *words, "-o", "counting"], cwd=bench, check=True)
+    done = subprocess.run(
+        ["./counting", "counted.loop"], cwd=bench, check=True, capture_output=True, text=True
+    )
+    assert done.stdout == "0\n"
+
+
 @pytest.fixture
 def library(bench: Path) -> Any:
     """Return the library with the types of its functions."""
