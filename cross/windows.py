@@ -2,9 +2,9 @@
 
     python -m cross.windows [wheel] [core] [try] [library]
 
-Without a word the first three: `wheel` makes dist/arcless-*-win_amd64.whl, `core` runs the tests of the
-numerical core, `try` installs the wheel for CPython of Windows and runs tests there. `library` puts the library of
-FMUs beside that of this system, so that every FMU exported here has both.
+Without a word the first three: `wheel` makes dist/arcless-*-win_amd64.whl, `core` runs the tests of
+the numerical core, `try` installs the wheel for CPython of Windows and runs tests there. `library`
+puts the library of FMUs beside that of this system, so that every FMU exported here has both.
 """
 
 import os

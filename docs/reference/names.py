@@ -33,13 +33,15 @@ def complaints() -> Iterator[str]:
             # A command may have arguments.
             if f"`{name}`" not in text and f"`{name} " not in text:
                 yield f"{page.name} does not name `{name}`"
-    named = set(re.findall(r"`?arcless ([a-z]+)", README.read_text(encoding="utf-8")))
+    named = set(re.findall(r"`?arcless ([a-z]+(?:-[a-z]+)*)", README.read_text(encoding="utf-8")))
     for command in sorted(named - commands()):
         yield f"{README.name}: there is no command `arcless {command}`"
 
 
 def commands() -> set[str]:
-    found = {command.callback.__name__ for command in app.registered_commands if command.callback}
+    functions = [command.callback for command in app.registered_commands if command.callback]
+    # As Typer calls the command of a function.
+    found = {function.__name__.replace("_", "-") for function in functions}
     return found | {group.name for group in app.registered_groups if group.name}
 
 

@@ -5,7 +5,6 @@ its factor, no step changes; so each leaves the same bits whichever others are s
 on however many threads.
 """
 
-import os
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -15,6 +14,7 @@ from numpy.typing import NDArray
 from arcless import _core
 from arcless.errors import ArclessError, ModelError
 from arcless.model import Scenario
+from arcless.platforms.processors import processors
 from arcless.simulate.certainty.other_starts import carried_forces
 from arcless.simulate.runs.failures import stepping, translated
 from arcless.simulate.runs.job import lay_out, ready_line
@@ -192,7 +192,7 @@ class SharedLine:
             positions=self._positions(sessions, steps),
             speeds=np.full(count, self.speed_m_s),
             out=out,
-            workers=workers or len(os.sched_getaffinity(0)),
+            workers=workers or processors(),
         )
         failures: list[ArclessError | None] = []
         for session, (done, error) in zip(sessions, taken, strict=True):
