@@ -16,7 +16,7 @@ SOURCE = Path(__file__).parents[2] / "crates" / "core" / "src"
 ORDER = (
     "lcp", "error", "scheme", "linalg", "filter", "checkpoint", "energy_terms", "structure",
     "structure_check", "element", "residual_flexibility", "statics", "slideline", "linear",
-    "pantograph", "constraint", "integrator", "simulation", "session",
+    "pantograph", "constraint", "integrator", "line", "simulation", "session",
 )  # fmt: skip
 MOST_FILES = 12
 TESTS = re.compile(r"#\[cfg\(test\)\]\s*mod \w+ \{.*", re.DOTALL)

@@ -4,7 +4,6 @@ pub(crate) mod control;
 pub(crate) mod external;
 pub(crate) mod initial_equilibrium;
 pub mod inputs;
-pub(crate) mod load_sharing;
 pub mod model;
 pub mod motion;
 pub mod recording;
