@@ -6,11 +6,11 @@
 //!
 //!   gap = (wire + W λ) − E u + λ/k_c,   K u − b p = f − Eᵀλ,   bᵀu = z,   Σ λ = F
 //!
-//! which [load sharing](crate::simulation::initial_equilibrium::load_sharing) solves, as u is linear in λ and z. Level
-//! and force along the preload belong together, so H = W + E K⁺ Eᵀ + 1/k_c is symmetric, and K⁺
-//! exists also for a pantograph without springs to its base. Links that slacken, piecewise forces,
-//! and other pantographs change the matrices: it is repeated, pantograph by pantograph, until no
-//! share changes.
+//! which [load sharing](crate::simulation::initial_equilibrium::load_sharing) solves, as u is
+//! linear in λ and z. Level and force along the preload belong together, so H = W + E K⁺ Eᵀ + 1/k_c
+//! is symmetric, and K⁺ exists also for a pantograph without springs to its base. Links that
+//! slacken, piecewise forces, and other pantographs change the matrices: it is repeated, pantograph
+//! by pantograph, until no share changes.
 
 mod load_sharing;
 
