@@ -120,10 +120,10 @@ def test_what_nobody_has_foreseen_is_an_outcome_too(
 
     real = workers.lay_out
 
-    def slips(scenario: Scenario, *others: Any) -> Any:
+    def slips(scenario: Scenario, *others: Any, **more: Any) -> Any:
         if scenario.speed == short(speed="120 km/h").speed:
             raise ZeroDivisionError("a slip")
-        return real(scenario, *others)
+        return real(scenario, *others, **more)
 
     monkeypatch.setattr(workers, "lay_out", slips)
     outcomes = arcless.batch([short(), short(speed="120 km/h"), short()])
