@@ -39,7 +39,7 @@ def test_the_raise_is_not_curved_at_the_anchor() -> None:
 
 
 def test_the_contact_wire_hangs_free_at_a_support() -> None:
-    """Sag of a string of L between the droppers beside it, less the rounding of kinks at these.
+    """Sag of a string of L between the droppers next to it, less the rounding of kinks at these.
 
     A force F rounds the kink F/T of a wire over λ = √(EI/T): near it the wire lies F λ/2T higher.
     """
