@@ -79,8 +79,9 @@ WRONG: dict[str, tuple[dict[str, Any], str]] = {
         {"keeps_state": False},
         "DIR/pantograph.yaml:3 (DIR/pantograph.fmu): fmu.strip_mass: an FMU whose state cannot be"
         " saved: got a description without canGetAndSetFMUState, expected an FMU that can be"
-        " evaluated for several forces in one step, or strip_mass; hint: export it with saved states;"
-        " with strip_mass its heights are extrapolated from step to step, which is less exact",
+        " evaluated for several forces in one step, or strip_mass; hint: export it with saved"
+        " states; with strip_mass its heights are extrapolated from step to step, which is less"
+        " exact",
     ),
     "tool": (
         {"attributes": 'needsExecutionTool="true"'},
