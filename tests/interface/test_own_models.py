@@ -60,7 +60,10 @@ def test_what_is_shown_is_a_model_file(arcless: Command) -> None:
         ([*TWO, "tsi", "--from", "ac-simple-320-two-pantographs"], "change pantographs.1.distance"),
         ([*TWO, "far", "--from", "norway-s25-250"], 'distance: got "far"'),
         ([*TWO, "2 km", "--from", "norway-s25-250"], "--two-pantographs 2 km: travel: no travel"),
-        (["new", "mine", "--from", "dsa-250", "--scenario", "norway-s25-250"], "begin with a study"),
+        (
+            ["new", "mine", "--from", "dsa-250", "--scenario", "norway-s25-250"],
+            "begin with a study",
+        ),
     ],
 )
 def test_bad_input_is_told_and_nothing_is_written(

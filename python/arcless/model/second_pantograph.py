@@ -8,7 +8,6 @@ from arcless.model.edit import change
 from arcless.model.files.yaml_reader import parse
 from arcless.model.load import load_text
 from arcless.model.pantograph.spacing import TSI
-from arcless.units import show
 
 RULE = (
     "TSI ENE, table 4.2.13, column B, as given in Bane NOR TRV:00597: 200 m from 250 km/h, 85 m"
