@@ -30,6 +30,7 @@ from validation import (
     published,
     shipped,
     spacing,
+    spacing_lines,
 )
 
 Makers = dict[str, dict[str, Callable[[], str]]]
@@ -55,6 +56,7 @@ FRAGMENTS = [
     *_of("validation/", {
         "library": library.SLOW,
         "lines": shipped.TABLES | spacing.TABLES,
+        "spacing": spacing_lines.TABLES,
         "modelling-choices": choices.TABLES,
         "convergence-published": converging.TABLES,
         "praks": praks.TABLES,

@@ -13,9 +13,9 @@ if TYPE_CHECKING:
 
 # A cosine that explains less of σ² is no explanation.
 LEAST_SHARE = 0.5
-# Part of its own width, or of its middle where it is narrow, by which f may lie beside the band of
-# a span: the period is found to a few per cent only.
-BESIDE = 0.1
+# Part of its width, or of its middle where it is narrow, by which f may lie outside of the band of a
+# span: the period is found to a few per cent only.
+OUTSIDE = 0.1
 # Curves that are told; a study over speed and spacing has one for each speed.
 MOST = 40
 INTRODUCTION = (
@@ -81,14 +81,14 @@ def _why(record: Record, curve: SpacingCurve, period: "SpacingPeriod", speed: fl
         )
     f = period.frequency(speed)
     worst, best = (float(curve.spacings[one]) for one in (curve.worst, curve.best))
-    beside = f"{abs(period.phase(worst)):.2f}", f"{abs(period.phase(best)):.2f}"
+    away = f"{abs(period.phase(worst)):.2f}", f"{abs(period.phase(best)):.2f}"
     crests = np.arange(period.first_worst, float(curve.spacings[-1]) + 0.5, period.length)
     known = [f"{one:.0f}" for one in crests if one >= curve.spacings[0] - 0.5]
     return (
         f"A period of {period.length:.0f} m has {period.share:.0%} of the variance of σ²:"
         f" f = v/period = {f:.2f} Hz, {_which(record, f)}. Its crests are at"
-        f" {', '.join(known)} m. The worst spacing is {beside[0]} periods from a crest, the best"
-        f" one {beside[1]}."
+        f" {', '.join(known)} m. The worst spacing is {away[0]} periods from a crest, the best"
+        f" one {away[1]}."
     )
 
 
@@ -100,7 +100,7 @@ def _which(record: Record, frequency: float) -> str:
         band = _swing(record)
     except ArclessError as error:
         return f"of a line that has no equilibrium ({error})"
-    margin = BESIDE * max(band.high - band.low, band.middle)
+    margin = OUTSIDE * max(band.high - band.low, band.middle)
     ends = f"{band.low:.2f} to {band.high:.2f} Hz"
     if band.low - margin <= frequency <= band.high + margin:
         return (
