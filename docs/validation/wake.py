@@ -24,7 +24,8 @@ that the second one sends ahead reach the first after d/(c − v), and turn by n
 """
 
 from dataclasses import dataclass
-from math import pi, sqrt
+from functools import cached_property
+from math import ceil, pi, sqrt
 
 import numpy as np
 from numpy.typing import NDArray
@@ -39,9 +40,9 @@ Floats = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
 CUTOFF_HZ = 20.0
-# Points at which the motion is recorded, and at which forces are taken, in a span; spans before and
-# after the section, which keep the ends of the signals away from it.
-RECORDED, TAKEN = 20, 60
+# Points in a span at which the motion is recorded, and rate in Hz at which forces are taken: five
+# times what the low-pass needs. Spans before and after the section keep the ends of signals away.
+RECORDED, RATE_HZ = 20, 200.0
 MARGIN = 1
 # Frequencies that are tried for a part of the wake, in Hz: finer than 1 % of the lowest.
 TRIED = np.arange(0.2, 8.0, 0.01)
@@ -66,11 +67,14 @@ class Wake:
         Places in m, evenly spaced.
     force
         Contact force of the pantograph at each place in N.
+    inside
+        Places in the section.
     """
 
     scenario: Scenario
     x: Floats
     force: Floats
+    inside: slice
     _time: Floats
     _places: Floats
     _uplift: Floats
@@ -81,15 +85,23 @@ class Wake:
         """Return the wake in a result with the motion of `recorded_points`, spans in m long."""
         data, scenario = result.dataset, result.scenario
         places = np.array(scenario.output.points)
-        count = round((places[-1] - places[0]) / length * TAKEN)
-        x = np.linspace(places[0], places[-1], count + 1)
-        position, force = (np.asarray(data[n])[:, 0] for n in ("position", "contact_force"))
         assert scenario.speed is not None, "a wake is that of one speed"
+        taken = ceil(length / scenario.speed * RATE_HZ)
+        count = round((places[-1] - places[0]) / length) * taken
+        x = np.linspace(places[0], places[-1], count + 1)
+        inside = slice(MARGIN * taken, len(x) - 1 - MARGIN * taken)
+        position, force = (np.asarray(data[n])[:, 0] for n in ("position", "contact_force"))
         start = float(position[0] - scenario.speed * float(data["time"][0]))
         return cls(
-            scenario, x, np.interp(x, position, force), np.asarray(data["line_time"]), places,
-            np.asarray(data["point_uplift"]), start,
-        )  # fmt: skip
+            scenario,
+            x,
+            np.interp(x, position, force),
+            inside,
+            np.asarray(data["line_time"]),
+            places,
+            np.asarray(data["point_uplift"]),
+            start,
+        )
 
     @property
     def speed(self) -> float:
@@ -108,35 +120,32 @@ class Wake:
     def second_force(self, distance: float) -> Floats:
         """Return the force F₂ in N of a second pantograph, to first order."""
         w = self.displacement(distance)
-        omega = 2.0 * pi * np.fft.rfftfreq(len(w), self.x[1] - self.x[0]) * self.speed
-        change = np.fft.irfft(np.fft.rfft(w - w.mean()) * self.stiffness(omega), len(w))
+        change = np.fft.irfft(np.fft.rfft(w - w.mean()) * self.stiffness, len(w))
         return self.force - change
 
     def deviation(self, force: Floats) -> float:
         """Return σ in N of a force over the section, after the 20 Hz low-pass."""
         rate = self.speed / (self.x[1] - self.x[0])
-        inside = slice(MARGIN * TAKEN, len(self.x) - MARGIN * TAKEN)
-        return float(np.std(low_pass(force, rate, CUTOFF_HZ)[inside]))
+        return float(np.std(low_pass(force, rate, CUTOFF_HZ)[self.inside]))
 
-    def stiffness(self, omega: Floats) -> Complex:
-        """Return K in N/m at angular frequencies in rad/s, of which the first is 0."""
+    @cached_property
+    def stiffness(self) -> Complex:
+        """K in N/m at the frequencies of a Fourier series over all places; 0 at the first."""
         placed, line = self.scenario.pantographs[0].model, self.scenario.line
         parts, strip = matrices(placed), raising_the_strips(placed)
         wires = 1 if line.twin_contact_wires is None else 2
         z = 2.0 * wires * sqrt(line.contact_wire.tension * line.contact_wire.mass)
         contact = 1.0 / self.scenario.contact.stiffness
-        found = np.zeros(len(omega), dtype=complex)
-        for place, one in enumerate(omega[1:], start=1):
-            dynamic = parts.stiffness + 1j * one * parts.damping - one**2 * parts.mass
-            yields = strip @ np.linalg.solve(dynamic, strip)
-            found[place] = 1.0 / (yields + 1.0 / (1j * one * z) + contact)
-        return found
+        omega = 2.0 * pi * np.fft.rfftfreq(len(self.x), self.x[1] - self.x[0])[1:] * self.speed
+        each = omega[:, None, None]
+        dynamic = parts.stiffness + 1j * each * parts.damping - each**2 * parts.mass
+        yields = np.linalg.solve(dynamic, strip[None, :, None].astype(complex))[:, :, 0] @ strip
+        return np.concatenate([[0.0], 1.0 / (yields + 1.0 / (1j * omega * z) + contact)])
 
     def frequency(self, order: int, distances: Floats, length: float) -> float:
         """Return the frequency in Hz of the part with so many waves in a span in the wake."""
-        inside = slice(MARGIN * TAKEN, len(self.x) - MARGIN * TAKEN - 1)
-        waves = np.exp(-2j * pi * order * self.x[inside] / length)
-        part = np.array([(self.displacement(d)[inside] * waves).mean() for d in distances])
+        waves = np.exp(-2j * pi * order * self.x[self.inside] / length)
+        part = np.array([(self.displacement(d)[self.inside] * waves).mean() for d in distances])
         part *= np.hanning(len(distances))
         turning = np.exp(-2j * pi * np.outer(TRIED, distances) / self.speed)
         return float(TRIED[np.argmax(np.abs(turning @ part))])

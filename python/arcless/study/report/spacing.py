@@ -13,8 +13,8 @@ if TYPE_CHECKING:
 
 # A cosine that explains less of σ² is no explanation.
 LEAST_SHARE = 0.5
-# Part of its width, or of its middle where it is narrow, by which f may lie outside of the band of a
-# span: the period is found to a few per cent only.
+# Part of its width, or of its middle where it is narrow, by which f may lie outside of the band of
+# a span: the period is found to a few per cent only.
 OUTSIDE = 0.1
 # Curves that are told; a study over speed and spacing has one for each speed.
 MOST = 40
