@@ -31,6 +31,7 @@ from validation import (
     published,
     shipped,
     spacing,
+    spacing_lines,
 )
 
 Makers = dict[str, dict[str, Callable[[], str]]]
@@ -58,6 +59,7 @@ FRAGMENTS = [
     *_of("validation/", {
         "library": library.SLOW,
         "lines": shipped.TABLES | spacing.TABLES,
+        "spacing": spacing_lines.TABLES,
         "modelling-choices": choices.TABLES,
         "convergence-published": converging.TABLES,
         "praks": praks.TABLES,
