@@ -8,11 +8,11 @@ puts the library of FMUs beside that of this system, so that every FMU exported 
 """
 
 import os
-import shutil
 import subprocess
 import sys
 from pathlib import Path
 
+from cross.packages import put_down_forces, put_packages, put_wheel, wheel_of
 from cross.toolchain import (
     BUILD_STD,
     CARGO_OUT,
@@ -90,19 +90,16 @@ def core() -> None:
 
 def try_wheel() -> None:
     """Install the wheel next to CPython of Windows, and run tests with it under wine."""
-    found = sorted((ROOT / "dist").glob("arcless-*-win_amd64.whl"))
-    if len(found) != 1:
-        raise MissingError(
-            "dist/ has no wheel for Windows, or several: `python -m cross.windows wheel` first"
-        )
+    wheel = wheel_of("arcless-*-win_amd64.whl")
     python = _python_of_windows()
     site = python.parent / "site"
-    _packages(site, python.parent)
-    _put_down_forces()
+    put_packages(
+        site, ["win_amd64"], "3.13", extras=_EXTRAS, more=_PACKAGES,
+        then=lambda: complete(site, python.parent),
+    )  # fmt: skip
+    put_wheel(wheel, site)
+    put_down_forces(_FORCES)
     _compile_pantographs()
-    for old in site.glob("arcless*"):
-        shutil.rmtree(old)
-    run("unzip", "-qo", str(found[0]), "-d", str(site))
     empty = python.with_name("empty.ini")
     empty.write_bytes(b"")
     environment = {
@@ -118,16 +115,6 @@ def try_wheel() -> None:
     )  # fmt: skip
 
 
-def _put_down_forces() -> None:
-    """Put down the contact force of a run on this system, to compare with."""
-    code = (
-        "import sys, numpy, arcless\n"
-        "run = arcless.run(arcless.load('en50318-ac-simple-320-planar'))\n"
-        "numpy.save(sys.argv[1], run.dataset['contact_force'].values)\n"
-    )
-    run(sys.executable, "-c", code, str(_FORCES))
-
-
 def _compile_pantographs() -> None:
     """Compile the pantograph of tests, whose FMUs are run on Windows, with its faults."""
     source = ROOT / "tests" / "support" / "fmu" / "pantograph.c"
@@ -135,31 +122,6 @@ def _compile_pantographs() -> None:
     for name, flags in _FAULTS.items():
         made = str(_PANTOGRAPHS / f"{name}.dll")
         run(_linker(), "-O2", "-shared", "-static", "-DFMI=2", *flags, "-o", made, str(source))
-
-
-def _packages(site: Path, program: Path) -> None:
-    """Put the packages that Arcless needs into a folder, unless these lie there already."""
-    import tomllib
-
-    project = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
-    extras = project["optional-dependencies"]
-    wanted = [*project["dependencies"], *(one for name in _EXTRAS for one in extras[name])]
-    asked = "\n".join([*wanted, *_PACKAGES])
-    listed = site.with_name("packages.txt")
-    if listed.exists() and listed.read_text("utf-8") == asked:
-        return
-    listed.unlink(missing_ok=True)  # written again where all is there
-    wheels = site.with_name("wheels")
-    for folder in (site, wheels):
-        shutil.rmtree(folder, ignore_errors=True)
-    run(
-        sys.executable, "-m", "pip", "download", "-q", "--only-binary", ":all:", "--platform",
-        "win_amd64", "--python-version", "3.13", "-d", str(wheels), *asked.split("\n"),
-    )  # fmt: skip
-    for one in sorted(wheels.glob("*.whl")):
-        run("unzip", "-qo", str(one), "-d", str(site))
-    complete(site, program)
-    listed.write_text(asked, "utf-8")
 
 
 def _python_of_windows() -> Path:
