@@ -147,7 +147,7 @@ windows: page ## make dist/arcless-*-win_amd64.whl on Debian; try it and the cor
 fmu: build ## add the library for Windows to the FMUs that are exported here, on Debian
 	$(BIN)/python -m cross.windows library
 
-arm: page ## make the wheel for Linux on aarch64 on Debian; try the core's tests under qemu
+arm: page ## make the wheel for Linux on aarch64 on Debian; try it and the core's tests under qemu
 	$(if $(filter-out core,$(or $(PARTS),wheel)),@$(NEEDS_ZIG))
 	$(BIN)/python -m cross.arm $(PARTS)
 
