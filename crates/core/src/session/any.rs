@@ -25,8 +25,8 @@ impl AnySession {
     /// Session with given forces: see [`Session::with_forces`].
     ///
     /// # Errors
-    /// [`CoreError::Input`]: no collector, several slidelines, updated kinematics; [`CoreError::OffWire`],
-    /// or any error of a static solution.
+    /// [`CoreError::Input`]: no collector, several slidelines, updated kinematics;
+    /// [`CoreError::OffWire`], or any error of a static solution.
     pub fn with_forces(
         line: &AnyWireModel,
         collectors: Vec<Collector>,
