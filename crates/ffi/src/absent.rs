@@ -1,5 +1,5 @@
-//! Macros for functions of the FMI that have to exist, for what an FMU of Arcless does not have. Each
-//! takes the log of the version.
+//! Macros for functions of the FMI that have to exist, for what an FMU of Arcless does not have.
+//! Each takes the log of the version.
 
 /// Defines functions on values of a type that no variable has: fine for none, refused for some.
 /// They take the numbers of variables and how many there are, then arguments of these types.

@@ -1,5 +1,5 @@
-//! Bodies of the functions that FMI 2.0 and 3.0 have in common. Each version gives them its log, and
-//! the name of the function for messages.
+//! Bodies of the functions that FMI 2.0 and 3.0 have in common. Each version gives them its log,
+//! and the name of the function for messages.
 
 use crate::instance::{Instance, Log, Saved, Status};
 use crate::pointers::{list, list_mut, null};
@@ -154,7 +154,8 @@ pub(crate) unsafe fn free_state<L: Log>(component: *mut c_void, state: *mut *mut
 /// Gets the size of a state in bytes.
 ///
 /// # Safety
-/// As [`with`]; `state` is null or a state that came from here, `size` null or a place for a number.
+/// As [`with`]; `state` is null or a state that came from here, `size` null or a place for a
+/// number.
 pub(crate) unsafe fn serialized_size<L: Log>(
     component: *mut c_void,
     name: &str,

@@ -4,7 +4,8 @@
 //! * [`fmi2`], [`fmi3`] — co-simulation by the Functional Mock-up Interface, versions 2.0 and 3.0
 //!   (Modelica Association, fmi-standard.org), and [`fmi2_unused`], [`fmi3_unused`]: functions that
 //!   have to exist and say that they are not offered;
-//! * `calls`, `absent` — bodies of functions of both versions: those that do something, and the others;
+//! * `calls`, `absent` — bodies of functions of both versions: those that do something, and those
+//!   that do not;
 //! * [`instance`] — instance of either version;
 //! * [`location`] — where the resources of an FMU are;
 //! * [`pointers`] — strings and lists from C.

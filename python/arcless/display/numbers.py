@@ -2,7 +2,7 @@
 
 
 def real_minus(text: str) -> str:
-    """Return the text of a number with a real minus sign in the place of a hyphen."""
+    """Return the text of a number with a real minus sign for a hyphen."""
     return text.replace("-", "−")
 
 

@@ -1,4 +1,4 @@
-"""How sure the numbers of a run with an FMU are: other starts, the refined run, and their end."""
+"""Certainty of a run with an FMU: other starts, the refined run, and their end."""
 
 import os
 from collections.abc import Callable
