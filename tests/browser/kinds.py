@@ -3,12 +3,15 @@
 import subprocess
 import sys
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import yaml
 
 from arcless.model import load
+from arcless.pantograph.receptance import fit, text
+from arcless.report.receptance import page as receptance_page
 from arcless.results import Result
 from tests.support.receptances import FREQUENCIES, measured, table
 from tests.support.studies import SHORT, filled, written
@@ -135,11 +138,19 @@ def hostile_comparison(folder: Path) -> Path:
     return comparison(folder, **TEXTS, line=TEXTS, pantographs=pantographs(HOSTILE))
 
 
+def hostile_receptance(folder: Path) -> Path:
+    """Make the page of a frequency response whose table and pantograph have hostile names."""
+    bench = measured("en50318-2002", 0.03, frequency=FREQUENCIES[::3])
+    found = fit(replace(bench, name=HOSTILE, digest=HOSTILE), 2)
+    receptance_page.write(found, [found], HOSTILE, text(found, HOSTILE), folder / "bench.html")
+    return folder / "bench.html"
+
+
 PAGES: dict[str, Callable[[Path], Path]] = {
     "run": run, "two wires": two_wires, "statics": statics, "study": study,
     "validation": validation, "comparison": comparison, "receptance": receptance,
 }  # fmt: skip
 HOSTILE_PAGES: dict[str, Callable[[Path], Path]] = {
     "run": hostile_run, "statics": hostile_statics, "study": hostile_study,
-    "comparison": hostile_comparison,
+    "comparison": hostile_comparison, "receptance": hostile_receptance,
 }  # fmt: skip

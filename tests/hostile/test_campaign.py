@@ -7,12 +7,14 @@ from pathlib import Path
 
 import pytest
 
-from tests.hostile.campaign import blocks, border, models, texts
+from tests.hostile.campaign import blocks, border, models, receptances, texts
 from tests.hostile.campaign.blocks import Kind, Place
 from tests.support.hostile import FACTOR
 
 
-@pytest.mark.parametrize(("module", "count"), [(texts, 60), (models, 4), (border, 150)])
+@pytest.mark.parametrize(
+    ("module", "count"), [(texts, 60), (models, 4), (receptances, 60), (border, 150)]
+)
 def test_the_first_cases(module: object, count: int) -> None:
     for seed in range(count * FACTOR):
         assert module.case(seed)  # type: ignore[attr-defined]

@@ -85,3 +85,30 @@ def test_a_run_is_kept_with_its_command(arcless: Arcless, scenario: Path) -> Non
     assert kept.metadata["command"] == f"arcless run {scenario} --allow-fmu"
     assert kept.metadata["fmus"]["P1"]["sha256"] == kept.scenario.pantographs[0].model.fmu.sha256
     assert arcless("report", out).exit_code == 0
+
+
+@pytest.mark.parametrize("choice", [("--given", "control-force"), ("--pantograph", "P1")])
+def test_an_exported_file_holds_no_fmu(
+    arcless: Arcless, scenario: Path, choice: tuple[str, str]
+) -> None:
+    found = arcless("fmu", "export", scenario, "--out", "line.fmu", *choice)
+    assert found.exit_code == 2
+    assert (
+        "pantographs.0.model.fmu: pantograph P1 is an FMU, which an exported file cannot hold: got "
+        f"{scenario.parent / 'pantograph.fmu'}, expected a pantograph of masses or matrices; hint: "
+        "export the line alone"
+    ) in found.stderr
+    assert not (scenario.parent / "line.fmu").exists()
+
+
+@pytest.mark.parametrize("given", ["contact-force", "strip-height"])
+def test_its_line_is_exported_without_loading_code(
+    arcless: Arcless, scenario: Path, given: str
+) -> None:
+    folder = scenario.parent
+    (folder / "stub.so").write_bytes(b"not a library")
+    stub = dict.fromkeys(("linux64", "darwin64"), folder / "stub.so")
+    fmus.pack(folder / "pantograph.fmu", fmus.description(), stub)
+    found = arcless("fmu", "export", scenario, "--out", folder / "line.loop", "--given", given)
+    assert found.exit_code == 0, found.stderr
+    assert f"P1.{given.replace('-', '_')}" in found.stdout.splitlines()[0]

@@ -45,7 +45,7 @@ def test_a_model_for_c_and_the_library(arcless: Arcless, short: Path, tmp_path: 
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        (("--out", "line.zip"), "NAME.fmu or NAME.loop"),
+        (("--out", "line.zip"), "expected a name that ends in .fmu, .loop"),
         (("--out", "line.loop", "--fmi", "2"), "no --fmi for NAME.loop"),
         (("--out", "a.fmu", "--pantograph", "P1", "--given", "strip-height"), "contact-force"),
         (("--out", "a.fmu", "--pantograph", "P7"), "expected `P1`"),

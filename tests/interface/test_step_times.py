@@ -45,7 +45,7 @@ def test_files(arcless: Arcless, tmp_path: Path, ending: str) -> None:
     [
         (["--seconds", "0"], "--seconds: got 0, expected above 0"),
         (["--seconds", "nan"], "--seconds: got nan"),
-        (["--to", "times.txt"], "expected a file .csv or .json"),
+        (["--to", "times.txt"], "expected a name that ends in .csv, .json"),
         (["--to", "none/times.csv"], "no folder"),
         (["--fifo", "100"], "less than or equal to 99"),
     ],

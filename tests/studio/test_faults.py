@@ -258,6 +258,6 @@ def test_a_run_that_grows_beyond_all_bounds(studio: Start, tmp_path: Path) -> No
     page.until("document.querySelector('.transport button[aria-label=Pause]')")
     page.wait(".transport button[aria-label=Play]")  # it stops at the end
     end = float(page.text(".transport .where").split(" · ")[-1].removesuffix(" s"))
-    # The core hands motion on every 256 steps; those after the last time are not there.
-    assert float(where[1]) - 0.3 < end <= float(where[1]) + 0.01
+    # The last row of motion, one each 10 ms, is before the step that failed; both are rounded.
+    assert float(where[1]) - 0.03 < end <= float(where[1]) + 0.01
     assert not (tmp_path / "runs").exists() or list((tmp_path / "runs").iterdir()) == []

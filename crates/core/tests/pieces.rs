@@ -5,12 +5,15 @@ use crate::tests::resume::{bits, way};
 
 use arcless_core::CoreError;
 use arcless_core::integrator::wire_model::WireModel;
+use arcless_core::linear::loads::Load;
 use arcless_core::pantograph::actuator::Sample;
 use arcless_core::pantograph::external::Nobody;
 use arcless_core::scheme::Scheme;
+use arcless_core::simulation::callbacks::Callbacks;
+use arcless_core::simulation::inputs::Trajectory;
 use arcless_core::simulation::recording::record::{Record, RecordPlan};
 use arcless_core::simulation::recording::window::{MotionPlan, Near, SortedStations};
-use arcless_core::simulation::run::{Callbacks, Part};
+use arcless_core::simulation::run::Part;
 
 const STEPS: usize = 1030;
 
@@ -25,6 +28,16 @@ fn run(
     enough: usize,
     take: &mut dyn FnMut(Record) -> bool,
 ) -> Result<Record, CoreError> {
+    run_along(p, &way(STEPS, vec![0.0]), plan, enough, take)
+}
+
+fn run_along(
+    p: &WireModel<2, 4>,
+    way: &Trajectory,
+    plan: &RecordPlan,
+    enough: usize,
+    take: &mut dyn FnMut(Record) -> bool,
+) -> Result<Record, CoreError> {
     let mut nobody = |_: usize, _: &Sample| Err("nobody controls it".into());
     let callers = Callbacks {
         observe: &mut |_| true,
@@ -32,8 +45,7 @@ fn run(
         outside: &mut Nobody,
         take: Some((enough, take)),
     };
-    let (pantographs, travel) = ([three_masses(90.0)], way(STEPS, vec![0.0]));
-    let done = p.run_pieces(&pantographs, &travel, plan, Part::default(), callers);
+    let done = p.run_pieces(&[three_masses(90.0)], way, plan, Part::default(), callers);
     done.map(|(record, _)| record)
 }
 
@@ -76,6 +88,71 @@ fn pieces_one_after_the_other_are_the_whole() {
 fn who_takes_a_piece_may_end_the_run() {
     let ended = run(&line(), &everything(), 10_000, &mut |_| false);
     assert!(matches!(ended, Err(CoreError::Cancelled { step }) if step > 0));
+}
+
+#[test]
+fn rows_before_a_failure_are_handed_on() {
+    let p = line();
+    // A force beyond all numbers, from a step on after the first pieces.
+    let from = 600;
+    let mut way = way(STEPS, vec![0.0]);
+    let sizes = (0..STEPS).map(|step| if step < from { 0.0 } else { f64::MAX });
+    way.loads = vec![Load {
+        pattern: vec![(3, 1, 1.0); 2],
+        sizes: sizes.collect(),
+    }];
+    for ledger in [false, true] {
+        let plan = RecordPlan {
+            nodes: vec![1, 3, 5, 7, 9],
+            motion: Some(motion(&p)),
+            ledger,
+            ..everything()
+        };
+        let mut pieces = Vec::new();
+        let failed = run_along(&p, &way, &plan, 1, &mut |piece| {
+            pieces.push(piece);
+            true
+        });
+        let error = failed.expect_err("a force beyond all numbers");
+        assert!(!matches!(error, CoreError::Input { .. }), "{error}");
+        let all = |series: fn(&Record) -> &Vec<f64>| -> Vec<f64> {
+            pieces.iter().flat_map(series).copied().collect()
+        };
+        // The row of the step in which the force begins, of balance between its ends, may be there.
+        let (times, rows) = (all(|r| &r.time), from - 1);
+        assert!((rows..=from).contains(&times.len()), "{} rows", times.len());
+        assert_eq!(all(|r| &r.line_time), times);
+        assert_eq!(all(|r| &r.motion_time).len(), times.len().div_ceil(10));
+        for series in [all(|r| &r.force), all(|r| &r.masses), all(|r| &r.uplift)] {
+            assert_eq!(series.len() % times.len(), 0);
+            assert!(series.iter().all(|v| v.is_finite()));
+        }
+        for piece in &pieces {
+            assert_eq!(piece.motion.len(), piece.motion_time.len() * (3 + 4));
+            assert!(piece.motion.iter().all(|v| v.is_finite()));
+            let energies = if ledger { piece.line_time.len() } else { 0 };
+            assert_eq!(piece.energy.len(), energies);
+        }
+    }
+}
+
+#[test]
+fn nothing_is_handed_on_after_an_end_from_outside() {
+    let (p, way) = (line(), way(STEPS, vec![0.0]));
+    let (mut taken, mut nobody) = (0, |_: usize, _: &Sample| Err("nobody controls it".into()));
+    let callbacks = Callbacks {
+        observe: &mut |step| step < 512,
+        ask: &mut nobody,
+        outside: &mut Nobody,
+        take: Some((usize::MAX, &mut |_| {
+            taken += 1;
+            true
+        })),
+    };
+    let part = Part::default();
+    let ended = p.run_pieces(&[three_masses(90.0)], &way, &everything(), part, callbacks);
+    assert!(matches!(ended, Err(CoreError::Cancelled { step: 512 })));
+    assert_eq!(taken, 0);
 }
 
 /// Links along the track, of which four are recorded from 20 m behind on; and two nodes of five.

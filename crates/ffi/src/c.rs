@@ -1,6 +1,6 @@
 //! C interface: see `include/arcless_loop.h`, which says what each function does.
 
-use crate::pointers::{c_string, list, list_mut, text, without_panic};
+use crate::pointers::{c_string, list, list_mut, null, text, without_panic};
 use arcless_device::{Causality, Failure, Kind, Stepper};
 use std::ffi::{CString, c_char, c_int, c_uint};
 
@@ -47,10 +47,6 @@ unsafe fn with(device: *mut Loop, work: impl FnOnce(&mut Loop) -> Result<(), Fai
             FAULT
         }
     }
-}
-
-fn null(what: &str) -> Failure {
-    Failure::new(Kind::Value, format!("{what}: a null pointer"))
 }
 
 /// Version of the interface.

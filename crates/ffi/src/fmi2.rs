@@ -1,7 +1,10 @@
 //! Functions of FMI 2.0 for co-simulation that do something.
 
-use crate::instance::{Instance, Log, Phase, Saved, Status};
-use crate::pointers::{c_string, list, list_mut, text};
+use crate::calls::{
+    deserialize, free, free_state, get, new, restore, save, serialize, serialized_size, set, with,
+};
+use crate::instance::{Instance, Log, Phase, Status};
+use crate::pointers::{c_string, text};
 use arcless_device::{Failure, Kind};
 use std::ffi::{CString, c_char, c_int, c_uint, c_void};
 
@@ -51,31 +54,11 @@ impl Log for Log2 {
 pub type Instance2 = Instance<Log2>;
 
 const OK: c_int = Status::Ok as c_int;
-pub(crate) const ERROR: c_int = Status::Error as c_int;
 const CO_SIMULATION: c_int = 1;
 /// Kinds of status that are asked for: whether a step is done, the last time reached, the end.
 const DO_STEP: c_int = 0;
 const LAST_SUCCESSFUL_TIME: c_int = 2;
 const TERMINATED: c_int = 3;
-
-/// Does something with an instance.
-///
-/// # Safety
-/// Null, or an instance of [`fmi2Instantiate`] that nothing else uses meanwhile.
-pub(crate) unsafe fn with(
-    component: *mut c_void,
-    work: impl FnOnce(&mut Instance2) -> Result<(), Failure>,
-) -> c_int {
-    // SAFETY: the caller has an instance for itself.
-    match unsafe { component.cast::<Instance2>().as_mut() } {
-        Some(instance) => instance.attempt(work) as c_int,
-        None => ERROR,
-    }
-}
-
-pub(crate) fn null(what: &str) -> Failure {
-    Failure::new(Kind::Value, format!("{what}: a null pointer"))
-}
 
 /// Name of the types that pointers are to: the usual ones.
 #[unsafe(no_mangle)]
@@ -98,7 +81,7 @@ pub unsafe extern "C" fn fmi2SetDebugLogging(
     _categories: *const *const c_char,
 ) -> c_int {
     // SAFETY: as the standard has it.
-    unsafe { with(component, |_| Ok(())) }
+    unsafe { with(component, |_: &mut Instance2| Ok(())) }
 }
 
 /// Makes an instance.
@@ -124,19 +107,14 @@ pub unsafe extern "C" fn fmi2Instantiate(
         log.message(Status::Error, "only for co-simulation: it steps itself");
         return std::ptr::null_mut();
     }
-    let made = Instance::open(location.unwrap_or_default(), guid.unwrap_or_default(), log);
-    made.map_or(std::ptr::null_mut(), |made| {
-        Box::into_raw(Box::new(made)).cast()
-    })
+    new(location, guid, log)
 }
 
 /// Frees an instance.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2FreeInstance(component: *mut c_void) {
-    if !component.is_null() {
-        // SAFETY: it came from `fmi2Instantiate`, and is not used again.
-        drop(unsafe { Box::from_raw(component.cast::<Instance2>()) });
-    }
+    // SAFETY: as the standard has it.
+    unsafe { free::<Log2>(component) }
 }
 
 /// Sets the time of the start.
@@ -161,28 +139,28 @@ pub unsafe extern "C" fn fmi2SetupExperiment(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2EnterInitializationMode(component: *mut c_void) -> c_int {
     // SAFETY: as the standard has it.
-    unsafe { with(component, |instance| instance.begin(None)) }
+    unsafe { with(component, |instance: &mut Instance2| instance.begin(None)) }
 }
 
 /// Ends the initialization.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2ExitInitializationMode(component: *mut c_void) -> c_int {
     // SAFETY: as the standard has it.
-    unsafe { with(component, Instance::end_initialization) }
+    unsafe { with(component, Instance2::end_initialization) }
 }
 
 /// Ends the simulation.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2Terminate(component: *mut c_void) -> c_int {
     // SAFETY: as the standard has it.
-    unsafe { with(component, Instance::terminate) }
+    unsafe { with(component, Instance2::terminate) }
 }
 
 /// Returns to the start.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2Reset(component: *mut c_void) -> c_int {
     // SAFETY: as the standard has it.
-    unsafe { with(component, Instance::reset) }
+    unsafe { with(component, Instance2::reset) }
 }
 
 /// Gets values.
@@ -193,16 +171,9 @@ pub unsafe extern "C" fn fmi2GetReal(
     count: usize,
     values: *mut f64,
 ) -> c_int {
-    let work = |instance: &mut Instance2| {
-        // SAFETY: the importer has arrays of that many elements.
-        let (numbers, values) = unsafe { (list(references, count), list_mut(values, count)) };
-        let (Some(numbers), Some(values)) = (numbers, values) else {
-            return Err(null("fmi2GetReal"));
-        };
-        instance.get(numbers, values)
-    };
+    let (numbers, values) = ((references, count), (values, count));
     // SAFETY: as the standard has it.
-    unsafe { with(component, work) }
+    unsafe { get::<Log2>(component, "fmi2GetReal", numbers, values) }
 }
 
 /// Sets inputs.
@@ -213,46 +184,23 @@ pub unsafe extern "C" fn fmi2SetReal(
     count: usize,
     values: *const f64,
 ) -> c_int {
-    let work = |instance: &mut Instance2| {
-        // SAFETY: the importer has arrays of that many elements.
-        let (numbers, values) = unsafe { (list(references, count), list(values, count)) };
-        let (Some(numbers), Some(values)) = (numbers, values) else {
-            return Err(null("fmi2SetReal"));
-        };
-        instance.set(numbers, values)
-    };
+    let (numbers, values) = ((references, count), (values, count));
     // SAFETY: as the standard has it.
-    unsafe { with(component, work) }
+    unsafe { set::<Log2>(component, "fmi2SetReal", numbers, values) }
 }
 
 /// Saves the state, into the memory of an older one where there is one.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2GetFMUstate(component: *mut c_void, state: *mut *mut c_void) -> c_int {
-    let work = |instance: &mut Instance2| {
-        // SAFETY: the importer has a place for a state.
-        let place = unsafe { state.as_mut() }.ok_or_else(|| null("fmi2GetFMUstate"))?;
-        let saved = instance.save()?;
-        // SAFETY: null, or a state that came from here.
-        match unsafe { place.cast::<Saved>().as_mut() } {
-            Some(older) => *older = saved,
-            None => *place = Box::into_raw(Box::new(saved)).cast(),
-        }
-        Ok(())
-    };
     // SAFETY: as the standard has it.
-    unsafe { with(component, work) }
+    unsafe { save::<Log2>(component, "fmi2GetFMUstate", state) }
 }
 
 /// Restores a state.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2SetFMUstate(component: *mut c_void, state: *mut c_void) -> c_int {
-    let work = |instance: &mut Instance2| {
-        // SAFETY: null, or a state that came from here.
-        let saved = unsafe { state.cast::<Saved>().as_ref() };
-        instance.restore(saved.ok_or_else(|| null("fmi2SetFMUstate"))?)
-    };
     // SAFETY: as the standard has it.
-    unsafe { with(component, work) }
+    unsafe { restore::<Log2>(component, "fmi2SetFMUstate", state) }
 }
 
 /// Frees a state.
@@ -261,20 +209,8 @@ pub unsafe extern "C" fn fmi2FreeFMUstate(
     component: *mut c_void,
     state: *mut *mut c_void,
 ) -> c_int {
-    let work = |_: &mut Instance2| {
-        // SAFETY: null, or a place with null or a state that came from here.
-        let Some(place) = (unsafe { state.as_mut() }) else {
-            return Ok(());
-        };
-        if !place.is_null() {
-            // SAFETY: it came from `fmi2GetFMUstate`, and the importer gets null in its place.
-            drop(unsafe { Box::from_raw(place.cast::<Saved>()) });
-            *place = std::ptr::null_mut();
-        }
-        Ok(())
-    };
     // SAFETY: as the standard has it.
-    unsafe { with(component, work) }
+    unsafe { free_state::<Log2>(component, state) }
 }
 
 /// Gets the size of a state.
@@ -284,17 +220,8 @@ pub unsafe extern "C" fn fmi2SerializedFMUstateSize(
     state: *mut c_void,
     size: *mut usize,
 ) -> c_int {
-    let work = |_: &mut Instance2| {
-        // SAFETY: a state that came from here, and a place for a number.
-        let (saved, size) = unsafe { (state.cast::<Saved>().as_ref(), size.as_mut()) };
-        let (Some(saved), Some(size)) = (saved, size) else {
-            return Err(null("fmi2SerializedFMUstateSize"));
-        };
-        *size = saved.len();
-        Ok(())
-    };
     // SAFETY: as the standard has it.
-    unsafe { with(component, work) }
+    unsafe { serialized_size::<Log2>(component, "fmi2SerializedFMUstateSize", state, size) }
 }
 
 /// Copies a state to bytes.
@@ -305,30 +232,11 @@ pub unsafe extern "C" fn fmi2SerializeFMUstate(
     bytes: *mut u8,
     size: usize,
 ) -> c_int {
-    let work = |_: &mut Instance2| {
-        // SAFETY: a state that came from here, and an array of that many bytes.
-        let (saved, bytes) = unsafe { (state.cast::<Saved>().as_ref(), list_mut(bytes, size)) };
-        let (Some(saved), Some(bytes)) = (saved, bytes) else {
-            return Err(null("fmi2SerializeFMUstate"));
-        };
-        write_state(saved, bytes)
-    };
     // SAFETY: as the standard has it.
-    unsafe { with(component, work) }
+    unsafe { serialize::<Log2>(component, "fmi2SerializeFMUstate", state, (bytes, size)) }
 }
 
-/// Copies a state to bytes that have room for it.
-pub(crate) fn write_state(saved: &Saved, bytes: &mut [u8]) -> Result<(), Failure> {
-    let Some(room) = bytes.get_mut(..saved.len()) else {
-        let (room, length) = (bytes.len(), saved.len());
-        let message = format!("{room} bytes for a state of {length}");
-        return Err(Failure::data(message));
-    };
-    room.copy_from_slice(saved);
-    Ok(())
-}
-
-/// Makes a state of bytes; it is looked at when it is restored.
+/// Makes a state of bytes; it is checked when it is restored.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2DeSerializeFMUstate(
     component: *mut c_void,
@@ -336,18 +244,8 @@ pub unsafe extern "C" fn fmi2DeSerializeFMUstate(
     size: usize,
     state: *mut *mut c_void,
 ) -> c_int {
-    let work = |_: &mut Instance2| {
-        // SAFETY: an array of that many bytes, and a place for a state.
-        let (bytes, place) = unsafe { (list(bytes, size), state.as_mut()) };
-        let (Some(bytes), Some(place)) = (bytes, place) else {
-            return Err(null("fmi2DeSerializeFMUstate"));
-        };
-        let saved: Saved = bytes.to_vec();
-        *place = Box::into_raw(Box::new(saved)).cast();
-        Ok(())
-    };
     // SAFETY: as the standard has it.
-    unsafe { with(component, work) }
+    unsafe { deserialize::<Log2>(component, "fmi2DeSerializeFMUstate", (bytes, size), state) }
 }
 
 /// Takes a communication step.
@@ -359,7 +257,11 @@ pub unsafe extern "C" fn fmi2DoStep(
     _no_state_before: c_int,
 ) -> c_int {
     // SAFETY: as the standard has it.
-    unsafe { with(component, |instance| instance.advance(from, length)) }
+    unsafe {
+        with(component, |instance: &mut Instance2| {
+            instance.advance(from, length)
+        })
+    }
 }
 
 /// Tells whether a step is done: it always is when its function returns.

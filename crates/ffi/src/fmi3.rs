@@ -1,9 +1,10 @@
 //! Functions of FMI 3.0 for co-simulation that do something.
 
-use crate::fmi2::{ERROR, null, write_state};
-use crate::instance::{Instance, Log, Saved, Status};
-use crate::pointers::{c_string, list, list_mut, text};
-use arcless_device::Failure;
+use crate::calls::{
+    deserialize, free, free_state, get, new, restore, save, serialize, serialized_size, set, with,
+};
+use crate::instance::{Instance, Log, Status};
+use crate::pointers::{c_string, text};
 use std::ffi::{c_char, c_int, c_uint, c_void};
 
 /// Function of an importer for messages.
@@ -35,21 +36,6 @@ impl Log for Log3 {
 /// Instance of FMI 3.0.
 pub type Instance3 = Instance<Log3>;
 
-/// Does something with an instance.
-///
-/// # Safety
-/// Null, or an instance of [`fmi3InstantiateCoSimulation`] that nothing else uses meanwhile.
-pub(crate) unsafe fn with(
-    component: *mut c_void,
-    work: impl FnOnce(&mut Instance3) -> Result<(), Failure>,
-) -> c_int {
-    // SAFETY: the caller has an instance for itself.
-    match unsafe { component.cast::<Instance3>().as_mut() } {
-        Some(instance) => instance.attempt(work) as c_int,
-        None => ERROR,
-    }
-}
-
 /// Version of the FMI.
 #[unsafe(no_mangle)]
 pub extern "C" fn fmi3GetVersion() -> *const c_char {
@@ -65,7 +51,7 @@ pub unsafe extern "C" fn fmi3SetDebugLogging(
     _categories: *const *const c_char,
 ) -> c_int {
     // SAFETY: as the standard has it.
-    unsafe { with(component, |_| Ok(())) }
+    unsafe { with(component, |_: &mut Instance3| Ok(())) }
 }
 
 /// Makes an instance.
@@ -90,23 +76,14 @@ pub unsafe extern "C" fn fmi3InstantiateCoSimulation(
     };
     // SAFETY: the importer passes strings that end with a zero.
     let (token, resources) = unsafe { (text(token), text(resources)) };
-    let made = Instance::open(
-        resources.unwrap_or_default(),
-        token.unwrap_or_default(),
-        log,
-    );
-    made.map_or(std::ptr::null_mut(), |made| {
-        Box::into_raw(Box::new(made)).cast()
-    })
+    new(resources, token, log)
 }
 
 /// Frees an instance.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi3FreeInstance(component: *mut c_void) {
-    if !component.is_null() {
-        // SAFETY: it came from `fmi3InstantiateCoSimulation`, and is not used again.
-        drop(unsafe { Box::from_raw(component.cast::<Instance3>()) });
-    }
+    // SAFETY: as the standard has it.
+    unsafe { free::<Log3>(component) }
 }
 
 /// Begins the initialization at a time.
@@ -120,28 +97,32 @@ pub unsafe extern "C" fn fmi3EnterInitializationMode(
     _stop_time: f64,
 ) -> c_int {
     // SAFETY: as the standard has it.
-    unsafe { with(component, |instance| instance.begin(Some(start_time))) }
+    unsafe {
+        with(component, |instance: &mut Instance3| {
+            instance.begin(Some(start_time))
+        })
+    }
 }
 
 /// Ends the initialization.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi3ExitInitializationMode(component: *mut c_void) -> c_int {
     // SAFETY: as the standard has it.
-    unsafe { with(component, Instance::end_initialization) }
+    unsafe { with(component, Instance3::end_initialization) }
 }
 
 /// Ends the simulation.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi3Terminate(component: *mut c_void) -> c_int {
     // SAFETY: as the standard has it.
-    unsafe { with(component, Instance::terminate) }
+    unsafe { with(component, Instance3::terminate) }
 }
 
 /// Returns to the start.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi3Reset(component: *mut c_void) -> c_int {
     // SAFETY: as the standard has it.
-    unsafe { with(component, Instance::reset) }
+    unsafe { with(component, Instance3::reset) }
 }
 
 /// Gets values.
@@ -153,16 +134,9 @@ pub unsafe extern "C" fn fmi3GetFloat64(
     values: *mut f64,
     value_count: usize,
 ) -> c_int {
-    let work = |instance: &mut Instance3| {
-        // SAFETY: the importer has arrays of that many elements.
-        let (numbers, values) = unsafe { (list(references, count), list_mut(values, value_count)) };
-        let (Some(numbers), Some(values)) = (numbers, values) else {
-            return Err(null("fmi3GetFloat64"));
-        };
-        instance.get(numbers, values)
-    };
+    let (numbers, values) = ((references, count), (values, value_count));
     // SAFETY: as the standard has it.
-    unsafe { with(component, work) }
+    unsafe { get::<Log3>(component, "fmi3GetFloat64", numbers, values) }
 }
 
 /// Sets inputs.
@@ -174,46 +148,23 @@ pub unsafe extern "C" fn fmi3SetFloat64(
     values: *const f64,
     value_count: usize,
 ) -> c_int {
-    let work = |instance: &mut Instance3| {
-        // SAFETY: the importer has arrays of that many elements.
-        let (numbers, values) = unsafe { (list(references, count), list(values, value_count)) };
-        let (Some(numbers), Some(values)) = (numbers, values) else {
-            return Err(null("fmi3SetFloat64"));
-        };
-        instance.set(numbers, values)
-    };
+    let (numbers, values) = ((references, count), (values, value_count));
     // SAFETY: as the standard has it.
-    unsafe { with(component, work) }
+    unsafe { set::<Log3>(component, "fmi3SetFloat64", numbers, values) }
 }
 
 /// Saves the state, into the memory of an older one where there is one.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi3GetFMUState(component: *mut c_void, state: *mut *mut c_void) -> c_int {
-    let work = |instance: &mut Instance3| {
-        // SAFETY: the importer has a place for a state.
-        let place = unsafe { state.as_mut() }.ok_or_else(|| null("fmi3GetFMUState"))?;
-        let saved = instance.save()?;
-        // SAFETY: null, or a state that came from here.
-        match unsafe { place.cast::<Saved>().as_mut() } {
-            Some(older) => *older = saved,
-            None => *place = Box::into_raw(Box::new(saved)).cast(),
-        }
-        Ok(())
-    };
     // SAFETY: as the standard has it.
-    unsafe { with(component, work) }
+    unsafe { save::<Log3>(component, "fmi3GetFMUState", state) }
 }
 
 /// Restores a state.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi3SetFMUState(component: *mut c_void, state: *mut c_void) -> c_int {
-    let work = |instance: &mut Instance3| {
-        // SAFETY: null, or a state that came from here.
-        let saved = unsafe { state.cast::<Saved>().as_ref() };
-        instance.restore(saved.ok_or_else(|| null("fmi3SetFMUState"))?)
-    };
     // SAFETY: as the standard has it.
-    unsafe { with(component, work) }
+    unsafe { restore::<Log3>(component, "fmi3SetFMUState", state) }
 }
 
 /// Frees a state.
@@ -222,20 +173,8 @@ pub unsafe extern "C" fn fmi3FreeFMUState(
     component: *mut c_void,
     state: *mut *mut c_void,
 ) -> c_int {
-    let work = |_: &mut Instance3| {
-        // SAFETY: null, or a place with null or a state that came from here.
-        let Some(place) = (unsafe { state.as_mut() }) else {
-            return Ok(());
-        };
-        if !place.is_null() {
-            // SAFETY: it came from `fmi3GetFMUState`, and the importer gets null in its place.
-            drop(unsafe { Box::from_raw(place.cast::<Saved>()) });
-            *place = std::ptr::null_mut();
-        }
-        Ok(())
-    };
     // SAFETY: as the standard has it.
-    unsafe { with(component, work) }
+    unsafe { free_state::<Log3>(component, state) }
 }
 
 /// Gets the size of a state.
@@ -245,17 +184,8 @@ pub unsafe extern "C" fn fmi3SerializedFMUStateSize(
     state: *mut c_void,
     size: *mut usize,
 ) -> c_int {
-    let work = |_: &mut Instance3| {
-        // SAFETY: a state that came from here, and a place for a number.
-        let (saved, size) = unsafe { (state.cast::<Saved>().as_ref(), size.as_mut()) };
-        let (Some(saved), Some(size)) = (saved, size) else {
-            return Err(null("fmi3SerializedFMUStateSize"));
-        };
-        *size = saved.len();
-        Ok(())
-    };
     // SAFETY: as the standard has it.
-    unsafe { with(component, work) }
+    unsafe { serialized_size::<Log3>(component, "fmi3SerializedFMUStateSize", state, size) }
 }
 
 /// Copies a state to bytes.
@@ -266,19 +196,11 @@ pub unsafe extern "C" fn fmi3SerializeFMUState(
     bytes: *mut u8,
     size: usize,
 ) -> c_int {
-    let work = |_: &mut Instance3| {
-        // SAFETY: a state that came from here, and an array of that many bytes.
-        let (saved, bytes) = unsafe { (state.cast::<Saved>().as_ref(), list_mut(bytes, size)) };
-        let (Some(saved), Some(bytes)) = (saved, bytes) else {
-            return Err(null("fmi3SerializeFMUState"));
-        };
-        write_state(saved, bytes)
-    };
     // SAFETY: as the standard has it.
-    unsafe { with(component, work) }
+    unsafe { serialize::<Log3>(component, "fmi3SerializeFMUState", state, (bytes, size)) }
 }
 
-/// Makes a state of bytes; it is looked at when it is restored.
+/// Makes a state of bytes; it is checked when it is restored.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi3DeserializeFMUState(
     component: *mut c_void,
@@ -286,18 +208,8 @@ pub unsafe extern "C" fn fmi3DeserializeFMUState(
     size: usize,
     state: *mut *mut c_void,
 ) -> c_int {
-    let work = |_: &mut Instance3| {
-        // SAFETY: an array of that many bytes, and a place for a state.
-        let (bytes, place) = unsafe { (list(bytes, size), state.as_mut()) };
-        let (Some(bytes), Some(place)) = (bytes, place) else {
-            return Err(null("fmi3DeserializeFMUState"));
-        };
-        let saved: Saved = bytes.to_vec();
-        *place = Box::into_raw(Box::new(saved)).cast();
-        Ok(())
-    };
     // SAFETY: as the standard has it.
-    unsafe { with(component, work) }
+    unsafe { deserialize::<Log3>(component, "fmi3DeserializeFMUState", (bytes, size), state) }
 }
 
 /// Takes a communication step.

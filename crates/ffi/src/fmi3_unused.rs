@@ -1,70 +1,35 @@
 //! Functions of FMI 3.0 that have to exist, for what an FMU of Arcless does not have.
 
-use crate::fmi3::with;
-use crate::instance::{none_of, not_offered};
+use crate::absent;
+use crate::calls::with;
+use crate::fmi3::Log3;
+use crate::instance::{Instance, none_of, not_offered};
 use std::ffi::{c_char, c_int, c_uint, c_void};
 
-/// Functions on values of a type that no variable has.
-macro_rules! no_values {
-    ($($name:ident: $values:ty;)*) => {$(
-        #[doc = concat!("`", stringify!($name), "`: no variable has this type.")]
-        #[unsafe(no_mangle)]
-        pub unsafe extern "C" fn $name(
-            component: *mut c_void,
-            _references: *const c_uint,
-            count: usize,
-            _values: $values,
-            _value_count: usize,
-        ) -> c_int {
-            // SAFETY: as the standard has it.
-            unsafe { with(component, |_| none_of(stringify!($name), count)) }
-        }
-    )*};
-}
-
-no_values! {
-    fmi3GetFloat32: *mut f32;
-    fmi3GetInt8: *mut i8;
-    fmi3GetUInt8: *mut u8;
-    fmi3GetInt16: *mut i16;
-    fmi3GetUInt16: *mut u16;
-    fmi3GetInt32: *mut i32;
-    fmi3GetUInt32: *mut u32;
-    fmi3GetInt64: *mut i64;
-    fmi3GetUInt64: *mut u64;
-    fmi3GetBoolean: *mut bool;
-    fmi3GetString: *mut *const c_char;
-    fmi3SetFloat32: *const f32;
-    fmi3SetInt8: *const i8;
-    fmi3SetUInt8: *const u8;
-    fmi3SetInt16: *const i16;
-    fmi3SetUInt16: *const u16;
-    fmi3SetInt32: *const i32;
-    fmi3SetUInt32: *const u32;
-    fmi3SetInt64: *const i64;
-    fmi3SetUInt64: *const u64;
-    fmi3SetBoolean: *const bool;
-    fmi3SetString: *const *const c_char;
-}
-
-/// Functions on values of other shapes, where none are there.
-macro_rules! no_others {
-    ($($name:ident($($type:ty),*);)*) => {$(
-        #[doc = concat!("`", stringify!($name), "`: no variable has this type.")]
-        #[unsafe(no_mangle)]
-        pub unsafe extern "C" fn $name(
-            component: *mut c_void,
-            _references: *const c_uint,
-            count: usize
-            $(, _: $type)*
-        ) -> c_int {
-            // SAFETY: as the standard has it.
-            unsafe { with(component, |_| none_of(stringify!($name), count)) }
-        }
-    )*};
-}
-
-no_others! {
+absent::no_values! {
+    Log3;
+    fmi3GetFloat32(*mut f32, usize);
+    fmi3GetInt8(*mut i8, usize);
+    fmi3GetUInt8(*mut u8, usize);
+    fmi3GetInt16(*mut i16, usize);
+    fmi3GetUInt16(*mut u16, usize);
+    fmi3GetInt32(*mut i32, usize);
+    fmi3GetUInt32(*mut u32, usize);
+    fmi3GetInt64(*mut i64, usize);
+    fmi3GetUInt64(*mut u64, usize);
+    fmi3GetBoolean(*mut bool, usize);
+    fmi3GetString(*mut *const c_char, usize);
+    fmi3SetFloat32(*const f32, usize);
+    fmi3SetInt8(*const i8, usize);
+    fmi3SetUInt8(*const u8, usize);
+    fmi3SetInt16(*const i16, usize);
+    fmi3SetUInt16(*const u16, usize);
+    fmi3SetInt32(*const i32, usize);
+    fmi3SetUInt32(*const u32, usize);
+    fmi3SetInt64(*const i64, usize);
+    fmi3SetUInt64(*const u64, usize);
+    fmi3SetBoolean(*const bool, usize);
+    fmi3SetString(*const *const c_char, usize);
     fmi3GetBinary(*mut usize, *mut *const u8, usize);
     fmi3SetBinary(*const usize, *const *const u8, usize);
     fmi3GetClock(*mut bool);
@@ -80,19 +45,8 @@ no_others! {
     fmi3GetOutputDerivatives(*const i32, *mut f64, usize);
 }
 
-/// Functions that are not offered.
-macro_rules! absent {
-    ($($name:ident($($type:ty),*);)*) => {$(
-        #[doc = concat!("`", stringify!($name), "`: not offered.")]
-        #[unsafe(no_mangle)]
-        pub unsafe extern "C" fn $name(component: *mut c_void $(, _: $type)*) -> c_int {
-            // SAFETY: as the standard has it.
-            unsafe { with(component, |_| Err(not_offered(stringify!($name)))) }
-        }
-    )*};
-}
-
-absent! {
+absent::not_offered! {
+    Log3;
     fmi3EnterEventMode();
     fmi3GetNumberOfVariableDependencies(c_uint, *mut usize);
     fmi3GetVariableDependencies(

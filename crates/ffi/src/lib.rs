@@ -4,13 +4,17 @@
 //! * [`fmi2`], [`fmi3`] — co-simulation by the Functional Mock-up Interface, versions 2.0 and 3.0
 //!   (Modelica Association, fmi-standard.org), and [`fmi2_unused`], [`fmi3_unused`]: functions that
 //!   have to exist and say that they are not offered;
-//! * [`instance`] — what both versions have in common;
+//! * `calls`, `absent` — bodies of functions of both versions: those that do something, and those
+//!   that do not;
+//! * [`instance`] — instance of either version;
 //! * [`location`] — where the resources of an FMU are;
 //! * [`pointers`] — strings and lists from C.
 //!
 //! A panic does not leave a function: it becomes the status Fatal, with its message.
 
+mod absent;
 pub mod c;
+mod calls;
 pub mod fmi2;
 pub mod fmi2_unused;
 pub mod fmi3;

@@ -1,5 +1,6 @@
 //! Strings and lists from C, and panics on their way there.
 
+use arcless_device::{Failure, Kind};
 use std::any::Any;
 use std::ffi::{CStr, CString, c_char};
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -47,6 +48,12 @@ pub unsafe fn list_mut<'a, T>(first: *mut T, count: usize) -> Option<&'a mut [T]
     }
     // SAFETY: the caller has an array of that many elements for itself.
     Some(unsafe { std::slice::from_raw_parts_mut(first, count) })
+}
+
+/// Failure of a function that was given a null pointer.
+#[must_use]
+pub fn null(function: &str) -> Failure {
+    Failure::new(Kind::Value, format!("{function}: a null pointer"))
 }
 
 /// C string of a text; what comes after a zero in it is left out.

@@ -10,9 +10,10 @@ use arcless_core::each_kind;
 use arcless_core::line::AnyWireModel;
 use arcless_core::linear::loads::Load;
 use arcless_core::pantograph::actuator::Sample;
+use arcless_core::simulation::callbacks::Callbacks;
 use arcless_core::simulation::inputs::Trajectory;
 use arcless_core::simulation::recording::record::Record;
-use arcless_core::simulation::run::{Callbacks, Part};
+use arcless_core::simulation::run::Part;
 use numpy::{PyArrayLike1, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -141,7 +142,7 @@ impl WireModel {
             each_kind!(&self.0, AnyWireModel, p => p.run_pieces(&pantographs, &travel, &plan, part, callers))
         });
         let ended_by = CoreError::is_ended_from_outside;
-        match (outcome, raised.or(failed).or(lost).or(outside.raised)) {
+        match (outcome, raised.or(failed).or(outside.raised).or(lost)) {
             (Err(error), Some(raised)) if ended_by(&error) => Err(raised),
             (Err(error), _) => Err(convert(py, &error)),
             (Ok((record, state)), _) => {

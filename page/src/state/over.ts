@@ -7,6 +7,7 @@ import { effect } from "@preact/signals";
 import { changes, type Changes } from "./changes.ts";
 import { project, type ProjectView } from "./project.ts";
 import { file, scenario, source, ticked } from "./selection.ts";
+import { keepInTab, keptInTab } from "./tab.ts";
 
 const NAME = "arcless.over";
 
@@ -21,13 +22,8 @@ interface Kept {
   run: string | null;
 }
 
-function found(): Kept | null {
-  try {
-    const kept = JSON.parse(sessionStorage.getItem(NAME) ?? "null") as Kept | null;
-    return typeof kept?.folder === "string" && typeof kept.changes === "object" && Array.isArray(kept.ticked) ? kept : null;
-  } catch {
-    return null;
-  }
+function isRight({ folder, changes, ticked }: Kept): boolean {
+  return typeof folder === "string" && typeof changes === "object" && Array.isArray(ticked);
 }
 
 function keep(): void {
@@ -36,11 +32,7 @@ function keep(): void {
   const played = source.peek();
   const run = played && "run" in played ? played.run : null;
   const kept: Kept = { folder, scenario: scenario.peek(), file: file.peek(), changes: changes.peek(), ticked: ticked.peek(), run };
-  try {
-    sessionStorage.setItem(NAME, JSON.stringify(kept));
-  } catch {
-    // A browser that keeps nothing.
-  }
+  keepInTab(NAME, kept);
 }
 
 function restore(kept: Kept, { folder, models, library, runs, measured }: ProjectView): void {
@@ -58,7 +50,7 @@ function restore(kept: Kept, { folder, models, library, runs, measured }: Projec
 
 /** Take back what was kept, once the folder is known to be the same, and keep it when the page is left. */
 export function followReload(): void {
-  const kept = found();
+  const kept = keptInTab(NAME, isRight);
   const end = effect(() => {
     const view = project.value;
     // After the others that follow the project: they choose a scenario, and drop changes of another one.

@@ -8,7 +8,7 @@ from arcless.comparison.alignment.place import POOR_CORRELATION
 from arcless.comparison.indicators import Indicator, Judged
 from arcless.comparison.measured.acceptance import Accepted
 from arcless.comparison.measured.bands import Band
-from arcless.display.numbers import number, pair
+from arcless.display.numbers import number, pair, signed
 
 # Quantities of the first screen: those by which runs are judged first.
 MAIN = (
@@ -85,14 +85,6 @@ def limit(one: Judged, run: int) -> str:
     """Return value and limit of a criterion in a run: ``52.1 / 45.8``."""
     value, most = (number(found, one.decimals) for found in (one.values[run], one.limits[run]))
     return f"{value} / {most}"
-
-
-def signed(found: float | None, decimals: int) -> str:
-    """Return a number with its sign, plus or a real minus; zero has none."""
-    text = number(found, decimals)
-    if found is None or not any(digit in text for digit in "123456789"):
-        return text.removeprefix("−")
-    return text if text.startswith("−") else f"+{text}"
 
 
 def amount(found: float | None, unit: str) -> str:

@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING
 
-from arcless.comparison import cells
+from arcless.display.numbers import signed
 
 if TYPE_CHECKING:
     from arcless.comparison.compared import Compared
@@ -42,7 +42,7 @@ def _words(compared: "Compared", run: int) -> str:
     for key, what in LOWER_IS_BETTER.items():
         for one in (each for each in compared.indicators if each.key == key):
             whose = f"{what} of {one.pantograph}" if several and one.pantograph else what
-            text = cells.signed(one.differences[run], one.decimals)
+            text = signed(one.differences[run], one.decimals)
             difference = one.differences[run]
             if difference is None:
                 unknown.append(whose)
@@ -61,5 +61,5 @@ def _words(compared: "Compared", run: int) -> str:
 
 def _unchanged(one: "Indicator", run: int) -> bool:
     """Say whether a difference is too small to be told."""
-    text = cells.signed(one.differences[run], one.decimals)
+    text = signed(one.differences[run], one.decimals)
     return one.too_close_to_tell(run) or not any(digit in text for digit in "123456789")

@@ -1,11 +1,24 @@
 """Numbers as text."""
 
 
+def real_minus(text: str) -> str:
+    """Return the text of a number with a real minus sign for a hyphen."""
+    return text.replace("-", "−")
+
+
 def number(value: float | None, decimals: int = 1) -> str:
     """Return a number with a real minus sign, zero without one, a dash when there is none."""
     if value is None:
         return "–"
-    return f"{value:z.{decimals}f}".replace("-", "−")
+    return real_minus(f"{value:z.{decimals}f}")
+
+
+def signed(value: float | None, decimals: int = 1) -> str:
+    """Return a number with its sign, plus or a real minus; zero has none."""
+    text = number(value, decimals)
+    if value is None or not any(digit in text for digit in "123456789"):
+        return text
+    return text if text.startswith("−") else f"+{text}"
 
 
 def pair(value: float | None, uncertainty: float | None, decimals: int) -> str:

@@ -13,6 +13,7 @@ import numpy as np
 
 from arcless.assess.section import Section
 from arcless.assess.statistics import PantographAssessment
+from arcless.display.numbers import real_minus
 from arcless.measurements.remarks import WITHOUT_INERTIA, touches
 from arcless.measurements.samples.left_out import CLIPPED, LOWER, UPPER, LeftOut
 from arcless.measurements.samples.pantograph import MeasuredPantograph
@@ -127,9 +128,10 @@ def _sentences(name: str, ones: list[LeftOut]) -> Iterator[str]:
         extreme = "maximum" if end == UPPER else "minimum"
         is_force = "acceleration" not in channel.lower()
         unit = "N" if is_force else "m/s²"
+        true = f"{bound} {real_minus(f'{rail:.4g}')} {unit}"
         yield (
             f"pantograph {name}: {channel} was at the {end} end of its range in {count}"
             f" place{'s' * (count > 1)}, and may have been {side} it: its {extreme} is"
-            f" {bound} {rail:.4g} {unit}, and σ is larger than computed; criteria on them are not"
-            " met or not judged".replace("-", "−")
+            f" {true}, and σ is larger than computed; criteria on them are not"
+            " met or not judged"
         )

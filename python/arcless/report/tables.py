@@ -15,7 +15,7 @@ from arcless.assess import (
     verdict_of,
 )
 from arcless.assess.quantities import OF_LINE, OF_PANTOGRAPH, WEAR, label_of
-from arcless.display.numbers import difference, number, pair
+from arcless.display.numbers import difference, number, pair, real_minus
 from arcless.figures.run.energy import energy_terms, settled
 from arcless.figures.run.run_data import RunData
 
@@ -165,7 +165,7 @@ def energy_rows(run: RunData) -> list[tuple[str, str, str]]:
         (
             label,
             str(run.dataset[name].attrs.get("long_name", "")),
-            f"{settled(run, name)[-1]:.3g}".replace("-", "−"),
+            real_minus(f"{settled(run, name)[-1]:.3g}"),
         )
         for name, label in energy_terms(run)
         if settled(run, name).size
@@ -175,4 +175,4 @@ def energy_rows(run: RunData) -> list[tuple[str, str, str]]:
 def _cell(value: Any) -> str:
     if value is None:
         return "–"
-    return f"{value:.4g}".replace("-", "−") if isinstance(value, float) else str(value)
+    return real_minus(f"{value:.4g}") if isinstance(value, float) else str(value)

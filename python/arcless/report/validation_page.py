@@ -8,7 +8,7 @@ from importlib.metadata import version
 from pathlib import Path
 
 from arcless.assess import decides, telling_decimals
-from arcless.display.numbers import number, pair
+from arcless.display.numbers import number, pair, real_minus
 from arcless.figures.description import Figure
 from arcless.figures.run import RunData
 from arcless.figures.validation import (
@@ -128,7 +128,7 @@ def entry(row: Compared) -> Entry:
     allowed = f"range {row.limit} {row.unit}{remembered}"
     words = f"{row.quantity}: {value} {row.unit}, {allowed}: {row.verdict}"
     return Entry(
-        row.quantity, value, row.unit, row.limit.replace("-", "−"), row.mark, row.verdict,
+        row.quantity, value, row.unit, real_minus(row.limit), row.mark, row.verdict,
         state_of(row.verdict).replace("_", "-"), row.note, words, _bar(row),
     )  # fmt: skip
 

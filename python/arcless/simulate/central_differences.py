@@ -19,6 +19,7 @@ from itertools import islice
 from math import log
 
 from arcless.assess import Assessment
+from arcless.display.numbers import signed
 from arcless.errors import ModelError
 from arcless.explanation import Effect, Sensitivities, Sensitivity
 from arcless.explanation.sensitivity import LEAST
@@ -158,7 +159,7 @@ def _sensitivity(
     paths = tuple(parameter.values)
     for outcome, factor in zip(runs, factors, strict=True):
         if outcome.assessment is None:
-            why = f"the run at {factor - 1.0:+.1%} failed: {outcome.error}"
+            why = f"the run at {signed(100.0 * (factor - 1.0))} % failed: {outcome.error}"
             return Sensitivity(parameter.name, paths, (), why)
     found = []
     for place, pantograph in enumerate(own.pantographs):

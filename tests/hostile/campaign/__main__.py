@@ -6,14 +6,16 @@ import time
 from collections import Counter
 from pathlib import Path
 
-from tests.hostile.campaign import border, models, texts
+from tests.hostile.campaign import border, models, receptances, texts
 from tests.hostile.campaign.blocks import Kind, Place
 
 KINDS = {
     "texts": Kind("texts", texts.case, 500),
     "models": Kind("models", models.case, 50),
+    "receptances": Kind("receptances", receptances.case, 500),
     "calls": Kind("calls", border.case, 2000),
 }
+COUNTS = {"texts": 200_000, "models": 10_000, "receptances": 20_000, "calls": 800_000}
 
 
 def main() -> int:
@@ -45,7 +47,7 @@ def show(name: str, seeds: range, counts: Counter[str], findings: list[str]) -> 
 def arguments() -> argparse.Namespace:
     """Read the command line."""
     parser = argparse.ArgumentParser(prog="python -m tests.hostile.campaign", description=__doc__)
-    for name, count in (("texts", 200_000), ("models", 10_000), ("calls", 800_000)):
+    for name, count in COUNTS.items():
         parser.add_argument(
             f"--{name}", default=str(count), metavar="[FROM:]TO", help="seeds; 0 for none"
         )

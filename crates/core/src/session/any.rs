@@ -5,6 +5,7 @@ use crate::each_kind;
 use crate::error::CoreError;
 use crate::line::AnyWireModel;
 use crate::pantograph::model::Pantograph;
+use crate::session::alone::AloneStart;
 use crate::session::{Collector, Compliance, Outputs, Session, SessionStart};
 
 /// Session on a line in the plane or in space, of Hermite elements or of chains.
@@ -24,7 +25,8 @@ impl AnySession {
     /// Session with given forces: see [`Session::with_forces`].
     ///
     /// # Errors
-    /// As there.
+    /// [`CoreError::Input`]: no collector, several slidelines, updated kinematics;
+    /// [`CoreError::OffWire`], or any error of a static solution.
     pub fn with_forces(
         line: &AnyWireModel,
         collectors: Vec<Collector>,
@@ -39,7 +41,8 @@ impl AnySession {
     /// Session with simulated pantographs: see [`Session::with_pantographs`].
     ///
     /// # Errors
-    /// As there.
+    /// [`CoreError::Input`]: excitation for a whole run, an actuator with a delay, or updated
+    /// kinematics; or any error of the start of a run.
     pub fn with_pantographs(
         line: &AnyWireModel,
         pantographs: Vec<Pantograph>,
@@ -54,7 +57,8 @@ impl AnySession {
     /// Session with given strips: see [`Session::with_strips`].
     ///
     /// # Errors
-    /// As there.
+    /// [`CoreError::Input`]: a pantograph that is not external, or updated kinematics; or any error
+    /// of the start of a run.
     pub fn with_strips(
         line: &AnyWireModel,
         pantographs: Vec<Pantograph>,
@@ -65,125 +69,109 @@ impl AnySession {
             Session::with_strips(p.clone(), pantographs, distances, start)
         })
     }
+}
 
+/// Defines methods of [`AnySession`] that are those of the session in it.
+macro_rules! passed_on {
+    ($($(#[$documentation:meta])* fn $name:ident(
+        $self:ident: $receiver:ty $(, $argument:ident: $type:ty)*
+    ) -> $result:ty;)*) => {
+        impl AnySession {
+            $(
+                $(#[$documentation])*
+                pub fn $name($self: $receiver, $($argument: $type),*) -> $result {
+                    each_kind!($self, Self, session => session.$name($($argument),*))
+                }
+            )*
+        }
+    };
+}
+
+passed_on! {
     /// Takes a step under forces: see [`Session::step`].
     ///
     /// # Errors
-    /// As there.
-    pub fn step(&mut self, forces: &[f64], position: f64, speed: f64) -> Result<(), CoreError> {
-        each_kind!(self, Self, session => session.step(forces, position, speed))
-    }
+    /// [`CoreError::Input`], or any [`CoreError`] that a step can raise.
+    fn step(self: &mut Self, forces: &[f64], position: f64, speed: f64) -> Result<(), CoreError>;
 
     /// Takes a step with given strips: see [`Session::step_strips`].
     ///
     /// # Errors
-    /// As there.
-    pub fn step_strips(
-        &mut self,
-        heights: &[f64],
-        compliance: &[f64],
-        position: f64,
-        speed: f64,
-    ) -> Result<(), CoreError> {
-        each_kind!(self, Self, session => session.step_strips(heights, compliance, position, speed))
-    }
+    /// [`CoreError::Input`], or any [`CoreError`] that a step can raise.
+    fn step_strips(
+        self: &mut Self, heights: &[f64], compliance: &[f64], position: f64, speed: f64
+    ) -> Result<(), CoreError>;
 
     /// Finds the wire at the collectors in the coming step: see [`Session::compliance`].
     ///
     /// # Errors
-    /// As there.
-    pub fn compliance(&mut self, position: f64, speed: f64) -> Result<&Compliance, CoreError> {
-        each_kind!(self, Self, session => session.compliance(position, speed))
-    }
+    /// [`CoreError::Input`] where no forces are given, or any [`CoreError`] that a step can raise.
+    fn compliance(self: &mut Self, position: f64, speed: f64) -> Result<&Compliance, CoreError>;
 
     /// Finds the wire about other forces: see [`Session::compliance_about`].
     ///
     /// # Errors
-    /// As there.
-    pub fn compliance_about(
-        &mut self,
-        forces: &[f64],
-        position: f64,
-        speed: f64,
-    ) -> Result<&Compliance, CoreError> {
-        each_kind!(self, Self, session => session.compliance_about(forces, position, speed))
-    }
+    /// [`CoreError::Input`] where no forces are given, or for forces that are not finite or not one
+    /// for each collector; or any [`CoreError`] that a step can raise.
+    fn compliance_about(
+        self: &mut Self, forces: &[f64], position: f64, speed: f64
+    ) -> Result<&Compliance, CoreError>;
 
     /// Chooses the nodes whose uplift is read: see [`Session::watch`].
     ///
     /// # Errors
-    /// As there.
-    pub fn watch(&mut self, nodes: &[usize]) -> Result<(), CoreError> {
-        each_kind!(self, Self, session => session.watch(nodes))
-    }
+    /// [`CoreError::Input`] for a node that does not exist, or after a step.
+    fn watch(self: &mut Self, nodes: &[usize]) -> Result<(), CoreError>;
 
     /// Outputs of the last step, or of the start.
     #[must_use]
-    pub fn outputs(&self) -> &Outputs {
-        each_kind!(self, Self, session => session.outputs())
-    }
+    fn outputs(self: &Self) -> &Outputs;
 
     /// Number of steps taken.
     #[must_use]
-    pub fn steps(&self) -> usize {
-        each_kind!(self, Self, session => session.steps())
-    }
+    fn steps(self: &Self) -> usize;
 
     /// Number of forces that a step needs; zero where strips are given.
     #[must_use]
-    pub fn inputs(&self) -> usize {
-        each_kind!(self, Self, session => session.inputs())
-    }
+    fn inputs(self: &Self) -> usize;
 
     /// Number of nodes of the line.
     #[must_use]
-    pub fn nodes(&self) -> usize {
-        each_kind!(self, Self, session => session.nodes())
-    }
+    fn nodes(self: &Self) -> usize;
 
     /// Displacements of all nodes from the static shape, m, node by node.
     #[must_use]
-    pub fn displacements(&self) -> Vec<f64> {
-        each_kind!(self, Self, session => session.displacements())
-    }
+    fn displacements(self: &Self) -> Vec<f64>;
 
     /// Position along the track in m, and speed in m/s.
     #[must_use]
-    pub fn position_and_speed(&self) -> (f64, f64) {
-        each_kind!(self, Self, session => session.position_and_speed())
-    }
+    fn position_and_speed(self: &Self) -> (f64, f64);
 
     /// Step length, s.
     #[must_use]
-    pub fn step_length(&self) -> f64 {
-        each_kind!(self, Self, session => session.step_length())
-    }
+    fn step_length(self: &Self) -> f64;
 
     /// Weight α_f of the start of a step in its balance.
     #[must_use]
-    pub fn old_weight(&self) -> f64 {
-        each_kind!(self, Self, session => session.old_weight())
-    }
+    fn old_weight(self: &Self) -> f64;
 
     /// Flexibility 1/k_c of a contact, m/N.
     #[must_use]
-    pub fn contact_flexibility(&self) -> f64 {
-        each_kind!(self, Self, session => session.contact_flexibility())
-    }
+    fn contact_flexibility(self: &Self) -> f64;
 
     /// Saves the state between two steps.
     ///
     /// # Errors
     /// None for a state that steps have left.
-    pub fn save(&mut self) -> Result<Checkpoint, CoreError> {
-        each_kind!(self, Self, session => session.save())
-    }
+    fn save(self: &mut Self) -> Result<Checkpoint, CoreError>;
 
     /// Restores a saved state: see [`Session::restore`].
     ///
     /// # Errors
-    /// As there.
-    pub fn restore(&mut self, saved: &Checkpoint) -> Result<(), CoreError> {
-        each_kind!(self, Self, session => session.restore(saved))
-    }
+    /// [`CoreError::Input`] for a state of another session; the present one is then kept.
+    fn restore(self: &mut Self, saved: &Checkpoint) -> Result<(), CoreError>;
+
+    /// Simulated pantograph by itself: see [`Session::standing_alone`].
+    #[must_use]
+    fn standing_alone(self: &Self, number: usize) -> Option<(Pantograph, AloneStart)>;
 }

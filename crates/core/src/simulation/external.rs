@@ -86,15 +86,15 @@ impl ExternalPantographs {
         program: &mut dyn Outside,
     ) -> Result<(), CoreError> {
         motion.sum_external_loads();
-        for exchange in &mut self.exchanges {
-            let start = step_start(model, motion, exchange.number, at);
+        self.each(model, motion, at, |exchange, _, motion| {
             let pantograph = &motion.pantographs[exchange.number];
             pantograph.write_heights(motion.datum, &mut exchange.heights);
-            let (heights, load) = (&exchange.heights, &pantograph.external.load);
-            let begun = program.begin(exchange.number, heights, load);
-            begun.map_err(|reason| failure(exchange.number, &start, reason))?;
-        }
-        Ok(())
+            program.begin(
+                exchange.number,
+                &exchange.heights,
+                &pantograph.external.load,
+            )
+        })
     }
 
     /// Asks for the motion of the coming step.
@@ -108,16 +108,15 @@ impl ExternalPantographs {
         at: (f64, f64),
         program: &mut dyn Outside,
     ) -> Result<(), CoreError> {
-        for exchange in &mut self.exchanges {
-            let number = exchange.number;
-            let start = step_start(model, motion, number, at);
-            let (heights, compliance) = (&mut exchange.heights, &mut exchange.compliance);
-            let predicted = program
-                .predict(number, &start, heights, compliance)
-                .and_then(|()| motion.set_external(number, heights, compliance));
-            predicted.map_err(|reason| failure(number, &start, reason))?;
-        }
-        Ok(())
+        self.each(model, motion, at, |exchange, start, motion| {
+            let Exchange {
+                number,
+                heights,
+                compliance,
+            } = exchange;
+            program.predict(*number, start, heights, compliance)?;
+            motion.set_external(*number, heights, compliance)
+        })
     }
 
     /// Passes the forces of the step on, and takes over the heights that they lead to.
@@ -131,16 +130,33 @@ impl ExternalPantographs {
         at: (f64, f64),
         program: &mut dyn Outside,
     ) -> Result<(), CoreError> {
-        for exchange in &mut self.exchanges {
-            let number = exchange.number;
-            let start = step_start(model, motion, number, at);
-            let (datum, pantograph) = (motion.datum, &mut motion.pantographs[number]);
-            let heights = &mut exchange.heights;
+        self.each(model, motion, at, |exchange, _, motion| {
+            let Exchange {
+                number, heights, ..
+            } = exchange;
+            let (datum, pantograph) = (motion.datum, &mut motion.pantographs[*number]);
             pantograph.write_heights(datum, heights);
-            let advanced = program
-                .advance(number, &pantograph.external.load, heights)
-                .and_then(|()| pantograph.set_reached_heights(heights, datum));
-            advanced.map_err(|reason| failure(number, &start, reason))?;
+            program.advance(*number, &pantograph.external.load, heights)?;
+            pantograph.set_reached_heights(heights, datum)
+        })
+    }
+
+    /// Exchanges numbers about each pantograph: what is exchanged is given the start of the step.
+    fn each<const DIM: usize, const D: usize>(
+        &mut self,
+        model: &Model<'_, DIM, D>,
+        motion: &mut Motion<DIM, D>,
+        at: (f64, f64),
+        mut exchange_numbers: impl FnMut(
+            &mut Exchange,
+            &StepStart,
+            &mut Motion<DIM, D>,
+        ) -> Result<(), String>,
+    ) -> Result<(), CoreError> {
+        for exchange in &mut self.exchanges {
+            let start = step_start(model, motion, exchange.number, at);
+            let done = exchange_numbers(exchange, &start, motion);
+            done.map_err(|reason| failure(exchange.number, &start, reason))?;
         }
         Ok(())
     }

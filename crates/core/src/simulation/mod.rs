@@ -1,5 +1,6 @@
 //! A run: model, state, and the step between two states.
 
+pub mod callbacks;
 pub(crate) mod control;
 pub(crate) mod external;
 pub(crate) mod initial_equilibrium;

@@ -9,8 +9,9 @@ use crate::checkpoint::{Checkpoint, refuse};
 use crate::error::CoreError;
 use crate::integrator::wire_model::WireModel;
 use crate::pantograph::actuator::{Controller, Sample};
-use crate::pantograph::external::{Nobody, Outside};
+use crate::pantograph::external::Nobody;
 use crate::pantograph::model::Pantograph;
+use crate::simulation::callbacks::Callbacks;
 use crate::simulation::external::ExternalPantographs;
 use crate::simulation::inputs::{Histories, Trajectory};
 use crate::simulation::model::Model;
@@ -26,46 +27,6 @@ pub struct Part<'a> {
     pub from: Option<&'a Checkpoint>,
     /// Number of steps, counted from the start of the run, after which to stop; `None` for the end.
     pub until: Option<usize>,
-}
-
-/// Receiver of the next piece of the series; it returns whether to continue.
-pub type Sink<'a> = &'a mut dyn FnMut(Record) -> bool;
-
-/// Functions that are called during a run.
-pub struct Callbacks<'a> {
-    /// Observer, called at intervals with the number of steps done; it returns whether to continue.
-    pub observe: &'a mut dyn FnMut(usize) -> bool,
-    /// Controller that returns the forces of actuators, N.
-    pub ask: Controller<'a>,
-    /// Program that moves the external pantographs.
-    pub outside: &'a mut dyn Outside,
-    /// Sink of the series, and the number of values from which they are passed to it; `None` leaves
-    /// them in the record.
-    pub take: Option<(usize, Sink<'a>)>,
-}
-
-impl Callbacks<'_> {
-    /// Reports the number of steps done, and flushes the recorded series to the sink.
-    fn report_progress<const DIM: usize, const D: usize>(
-        &mut self,
-        state: &mut State<DIM, D>,
-    ) -> Result<(), CoreError> {
-        let step = state.motion.steps;
-        if !(self.observe)(step) {
-            return Err(CoreError::Cancelled { step });
-        }
-        state.motion.check_finite()?;
-        let (Some((enough, take)), Some(recorder)) = (&mut self.take, &mut state.recorder) else {
-            return Ok(());
-        };
-        if recorder.record.held() < *enough {
-            return Ok(());
-        }
-        recorder.record.check_energy(step)?;
-        recorder.read_laws(&state.motion);
-        let go_on = take(recorder.record.take_series());
-        go_on.then_some(()).ok_or(CoreError::Cancelled { step })
-    }
 }
 
 impl Part<'_> {
@@ -179,32 +140,17 @@ impl<const DIM: usize, const D: usize> WireModel<DIM, D> {
             distances: &trajectory.distances,
             friction: trajectory.friction,
         };
-        let mut state = State::start_or_resume(&model, trajectory, plan, part.from)?;
-        let mut histories = Histories::new(trajectory, pantographs);
-        let mut external = ExternalPantographs::new(&model);
-        if !external.is_empty() {
-            if part.from.is_some() {
-                let reason = "is of a run with an external pantograph, whose state is outside";
-                return Err(refuse("step", reason));
-            }
-            let at_start = (trajectory.positions[0], trajectory.speeds[0]);
-            external.begin(&model, &mut state.motion, at_start, callbacks.outside)?;
+        if part.from.is_some() && pantographs.iter().any(|p| p.is_external) {
+            let reason = "is of a run with an external pantograph, whose state is outside";
+            return Err(refuse("step", reason));
         }
-        for number in steps {
-            let is_due = number.is_multiple_of(OBSERVE_EVERY);
-            if is_due {
-                callbacks.report_progress(&mut state)?;
+        let mut state = State::start_or_resume(&model, trajectory, plan, part.from)?;
+        let stepped = state.take_steps(&model, trajectory, steps, &mut callbacks);
+        if let Err(error) = stepped {
+            if !matches!(error, CoreError::Cancelled { .. }) {
+                callbacks.pass_rest(&mut state);
             }
-            let at_start = (trajectory.positions[number], trajectory.speeds[number]);
-            state.motion.control(&model, at_start, callbacks.ask)?;
-            external.predict(&model, &mut state.motion, at_start, callbacks.outside)?;
-            let inputs = histories.at(number, self.coefficients.old);
-            let stats = solve(&model, &inputs, &mut state)?;
-            external.advance(&model, &mut state.motion, at_start, callbacks.outside)?;
-            complete(&model, &inputs, &mut state, &stats)?;
-            if is_due {
-                state.sleep_passed(&model, trajectory.positions[number + 1]);
-            }
+            return Err(error);
         }
         state.finish(&model)
     }
@@ -246,13 +192,46 @@ impl<const DIM: usize, const D: usize> State<DIM, D> {
         Ok(state)
     }
 
+    /// Takes the steps of a part, and checks where they have led to.
+    fn take_steps(
+        &mut self,
+        model: &Model<'_, DIM, D>,
+        trajectory: &Trajectory,
+        steps: std::ops::Range<usize>,
+        callbacks: &mut Callbacks<'_>,
+    ) -> Result<(), CoreError> {
+        let at_start = |number: usize| (trajectory.positions[number], trajectory.speeds[number]);
+        let mut histories = Histories::new(trajectory, model.pantographs);
+        let mut external = ExternalPantographs::new(model);
+        if !external.is_empty() {
+            external.begin(model, &mut self.motion, at_start(0), callbacks.outside)?;
+        }
+        for number in steps {
+            let is_due = number.is_multiple_of(OBSERVE_EVERY);
+            if is_due {
+                callbacks.report_progress(self)?;
+            }
+            let at = at_start(number);
+            self.motion.control(model, at, callbacks.ask)?;
+            external.predict(model, &mut self.motion, at, callbacks.outside)?;
+            let inputs = histories.at(number, model.wires.coefficients.old);
+            let stats = solve(model, &inputs, self)?;
+            external.advance(model, &mut self.motion, at, callbacks.outside)?;
+            complete(model, &inputs, self, &stats)?;
+            if is_due {
+                self.sleep_passed(model, trajectory.positions[number + 1]);
+            }
+        }
+        self.motion.check_finite()?;
+        let recorder = self.recorder.as_ref();
+        recorder.map_or(Ok(()), |r| r.record.check_energy(self.motion.steps))
+    }
+
     /// Returns record and saved state at the end of a part.
     fn finish(mut self, model: &Model<'_, DIM, D>) -> Result<(Record, Checkpoint), CoreError> {
-        self.motion.check_finite()?;
         let saved = self.save(model)?;
         let mut record = Record::default();
         if let Some(mut recorder) = self.recorder {
-            recorder.record.check_energy(self.motion.steps)?;
             recorder.read_laws(&self.motion);
             record = recorder.record;
         }

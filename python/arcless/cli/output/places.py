@@ -2,20 +2,13 @@
 
 from pathlib import Path
 
-from arcless.errors import OutputError
-from arcless.units import show
+from arcless.storage.endings import check_ending
 
 
 def check_place(file: Path, suffix: str, option: str) -> None:
     """Refuse a file that could not be written after the computing, before it."""
     from arcless.storage.whole_files import check_writable
 
-    if file.suffix.lower() != suffix:
-        raise OutputError(
-            f"not a {suffix} file",
-            where=str(file),
-            got=show(file.suffix) if file.suffix else "a name without an ending",
-            expected=f"a name that ends in {suffix}",
-            hint=f"this is the only form that `{option}` writes; a browser can print it",
-        )
+    hint = f"this is the only form that `{option}` writes; a browser can print it"
+    check_ending(file, (suffix,), f"not a {suffix} file", hint=hint)
     check_writable(file)

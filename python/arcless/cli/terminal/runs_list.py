@@ -6,6 +6,7 @@ from pathlib import Path
 from rich.text import Text
 
 from arcless.assess.quantities import QUANTITIES
+from arcless.display.numbers import number
 from arcless.results import KeptRun
 from arcless.results.kept_runs.kept_run import STOPPED
 
@@ -75,4 +76,4 @@ def _cell(text: str, width: int) -> str:
 
 
 def _number(key: str, value: float | None) -> str:
-    return _NONE if value is None else f"{value:.{QUANTITIES[key].decimals}f}".replace("-", "−")
+    return number(value, QUANTITIES[key].decimals)

@@ -28,6 +28,7 @@ from arcless.assess.quantities import (
     WEAR,
     label_of,
 )
+from arcless.display import numbers as texts
 
 if TYPE_CHECKING:
     from arcless.validate import Row, Topic
@@ -61,9 +62,9 @@ def table(title: str, *columns: str, numbers: Sequence[str] = (), lines: bool = 
 
 def number(value: float | None, digits: int) -> str:
     """Print a number with so many digits after the point; -1 means one significant digit."""
-    if value is None:
-        return _NOTHING
-    return f"{value:.1e}" if digits < 0 else f"{value:z.{digits}f}"
+    if value is None or digits >= 0:
+        return texts.number(value, digits)
+    return f"{value:.1e}"
 
 
 def statistics(assessment: dict[str, Any], published: "Sequence[Row]" = ()) -> Table:

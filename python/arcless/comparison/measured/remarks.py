@@ -4,6 +4,7 @@ from arcless.assess import Assessment
 from arcless.comparison.alignment import Alignment
 from arcless.comparison.alignment.place import POOR_CORRELATION
 from arcless.comparison.measured.placed import Placed
+from arcless.display.numbers import number, signed
 from arcless.measurements.samples.left_out import JUMP, WORDS
 
 # Parts of the reader's notes that hold for every file, or say that all is as it should be.
@@ -50,8 +51,8 @@ def remarks(name: str, placed: Placed, assessment: Assessment, speed_m_s: float)
     if abs(apart) > SAME_SPEED:
         found.append(
             f"{name}: measured at {3.6 * assessment.speed_m_s:.1f} km/h,"
-            f" {100.0 * apart:+.1f} % from {3.6 * speed_m_s:.1f} km/h: forces grow with the speed,"
-            " and the same frequency is another wavelength"
+            f" {signed(100.0 * apart)} % from {3.6 * speed_m_s:.1f} km/h: forces grow with the"
+            " speed, and the same frequency is another wavelength"
         )
     notes = [note for note in placed.measurement.notes if not any(usual in note for usual in USUAL)]
     told = (assessment.measurement or {}).get("pantographs", [])
@@ -93,15 +94,14 @@ def _doubts(by: Alignment) -> list[str]:
     # The part that all spans have in common is a part of the channel only, and correlates less.
     if by.correlation is not None and by.correlation < POOR_CORRELATION and by.method != "supports":
         found.append(
-            f"the correlation is poor: {by.correlation:.3f}, and below {POOR_CORRELATION:g} less"
-            f" than half of the variance of the {by.channel} is that of the run: the place or the"
-            " model may be wrong".replace("-", "−")
+            f"the correlation is poor: {number(by.correlation, 3)}, and below {POOR_CORRELATION:g}"
+            f" less than half of the variance of the {by.channel} is that of the run: the place or"
+            " the model may be wrong"
         )
     if by.beyond_offset_m is not None and by.beyond_correlation is not None:
-        offset = f"{by.beyond_offset_m:+.1f}".replace("-", "−")
         found.append(
-            f"an offset of {offset} m, out of the search, fits better"
-            f" (correlation {by.beyond_correlation:.3f}): check the positions, or widen the search"
-            " (`--search`)"
+            f"an offset of {signed(by.beyond_offset_m)} m, out of the search, fits better"
+            f" (correlation {number(by.beyond_correlation, 3)}): check the positions, or widen the"
+            " search (`--search`)"
         )
     return found

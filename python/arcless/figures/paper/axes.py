@@ -7,6 +7,7 @@ from matplotlib.axis import Axis as Drawn
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import ListedColormap, Normalize
 
+from arcless.display.numbers import real_minus
 from arcless.figures.description import (
     Area,
     Axis,
@@ -128,7 +129,7 @@ def _ticks(drawn: Drawn, axis: Axis) -> None:
         if axis.form:
             decimals = len(axis.form.partition(".")[2])
             drawn.set_major_formatter(
-                ticker.FuncFormatter(lambda value, _: f"{value:.{decimals}f}".replace("-", "−"))
+                ticker.FuncFormatter(lambda value, _: real_minus(f"{value:.{decimals}f}"))
             )
         else:
             drawn.set_major_formatter(ticker.ScalarFormatter(useOffset=False, useMathText=False))

@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from arcless.assess.signals.filter import low_pass, sample_rate_Hz
+from arcless.display.numbers import number
 from arcless.figures.description import Axis, Curve, Figure, Layer, Points, Rules, Texts
 from arcless.figures.description.tokens import of_pantograph, of_series
 from arcless.figures.run.run_data import RunData
@@ -260,10 +261,10 @@ def _peaks(run: RunData, pantograph: int, window: tuple[float, float]) -> tuple[
     layers: list[Layer] = []
     words = []
     for kind, (x, value) in zip(("maximum", "minimum"), extremes(run, pantograph), strict=True):
-        words.append(f"The {kind} of the section is {value:.1f} N at {place_name(run, x)}.")
+        words.append(f"The {kind} of the section is {number(value)} N at {place_name(run, x)}.")
         if window[0] <= x <= window[1]:
             up = kind == "maximum"
-            at, text = (np.array([x]), np.array([value])), f"{kind} {value:.0f} N".replace("-", "−")
+            at, text = (np.array([x]), np.array([value])), f"{kind} {number(value, 0)} N"
             offset = np.array([value + (1 if up else -1) * 0.02 * max(abs(value), 100.0)])
             third = (window[1] - window[0]) / 3.0
             layers.append(

@@ -41,12 +41,14 @@ class Choice:
         Raises
         ------
         ModelError
-            No such kind of input, no such pantograph.
+            No such kind of input, no such pantograph; a pantograph inside that is an FMU.
         """
         _one_of("--given", self.given, GIVEN)
         _one_of("--travel", self.travel, TRAVELS)
         if self.pantograph is not None:
             _one_of("--pantograph", self.pantograph, _names(scenario))
+        if self.given == "control-force" or self.pantograph is not None:
+            _refuse_fmus(scenario)
 
     def number(self, scenario: Scenario) -> int:
         """Return the number of the pantograph that is exported by itself."""
@@ -56,6 +58,20 @@ class Choice:
 
 def _names(scenario: Scenario) -> list[str]:
     return [placement.name for placement in scenario.pantographs]
+
+
+def _refuse_fmus(scenario: Scenario) -> None:
+    """Refuse pantographs that cannot be in the file: nobody but their program knows them."""
+    for index, placement in enumerate(scenario.pantographs):
+        if placement.model.fmu is not None:
+            raise ModelError(
+                f"pantograph {placement.name} is an FMU, which an exported file cannot hold",
+                where=f"pantographs.{index}.model.fmu",
+                got=str(placement.model.fmu.file),
+                expected="a pantograph of masses or matrices",
+                hint="export the line alone, with `--given contact-force` or `--given"
+                " strip-height`, and couple the FMU with it in the other program",
+            )
 
 
 def _one_of(option: str, given: str, known: Sequence[str]) -> None:

@@ -53,6 +53,9 @@ NOISE_RAD = np.radians(15.0)
 LARGEST_RAD = 8.0 * np.pi
 # Largest amplitude over the smallest: more is a slip, as no bench measures twelve powers of ten.
 MOST_RATIO = 1e12
+# Smallest relative error: no instrument counts to a billionth, and the squares of a fit are divided
+# by its square, which must not outweigh all others by more than numbers resolve.
+LEAST_ERROR = 1e-9
 # Places that a message names.
 NAMED = 5
 
@@ -228,11 +231,14 @@ def _check_frequencies(frequency: Floats, name: str) -> None:
 
 def _check_values(data: MeasuredReceptance) -> None:
     error = data.error
-    if error is not None and not (error.shape == data.frequency.shape and np.all(error > 0.0)
-                                  and np.all(error < 1.0)):  # fmt: skip
+    if error is not None and not (
+        error.shape == data.frequency.shape and np.all((error >= LEAST_ERROR) & (error < 1.0))
+    ):
         raise MeasurementError(
-            "relative_error", where=data.name, got="values of 0 or below, or of 100 % or more",
+            "relative_error", where=data.name,
+            got=f"values below {LEAST_ERROR:g}, or of 100 % or more",
             expected="a standard deviation above 0 and below 100 % for each frequency",
+            hint="leave the column out where the errors are not known",
         )  # fmt: skip
     size = np.abs(data.values)
     if not np.all(np.isfinite(size)) or size.max() > MOST_RATIO * size.min():

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from arcless.display.numbers import number
 from arcless.figures.description import Scale
 from arcless.figures.description.tokens import tokens
 
@@ -58,6 +59,5 @@ def _ticks(low: float, high: float) -> list[tuple[float, str]]:
     numbers = step * np.arange(np.ceil(low / step - 1e-3), np.floor(high / step + 1e-3) + 1.0)
     decimals = max(0, int(np.ceil(-np.log10(step) + (step / power == 2.5))))  # noqa: PLR2004
     return [
-        (round(100.0 * (one - low) / extent, 2), f"{one + 0.0:.{decimals}f}".replace("-", "\u2212"))
-        for one in numbers.tolist()
+        (round(100.0 * (one - low) / extent, 2), number(one, decimals)) for one in numbers.tolist()
     ]

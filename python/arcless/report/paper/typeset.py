@@ -22,8 +22,8 @@ from arcless.figures.description import Figure, Map, Texts
 from arcless.figures.description.tokens import tokens
 from arcless.report.paper import blocks, letters
 from arcless.report.paper import fields as cover
+from arcless.storage.endings import check_ending
 from arcless.storage.whole_files import check_writable, write_bytes
-from arcless.units import show
 
 if TYPE_CHECKING:
     from typst import PDFStandard
@@ -49,13 +49,7 @@ def check_target(path: Path) -> None:
     OutputError
         Its name does not end in ``.pdf``, a package is missing, or the place is none.
     """
-    if path.suffix.lower() != SUFFIX:
-        raise OutputError(
-            "not a .pdf file",
-            where=str(path),
-            got=show(path.suffix) if path.suffix else "a name without an ending",
-            expected="a name that ends in .pdf",
-        )
+    check_ending(path, (SUFFIX,), "not a .pdf file")
     for package in _NEEDED:
         if find_spec(package) is None:
             raise OutputError(

@@ -5,6 +5,7 @@ from datetime import UTC, datetime
 from importlib.metadata import version
 from pathlib import Path
 
+from arcless.display.numbers import real_minus
 from arcless.figures.receptance import figures
 from arcless.pantograph.receptance import Fit, remarks, tables
 from arcless.pantograph.receptance.words import significant
@@ -84,7 +85,7 @@ def _identity(fit: Fit) -> list[tuple[str, str]]:
 
 def _cell(value: float) -> str:
     """Return an entry of a matrix with a real minus sign."""
-    return significant(value, 4).replace("-", "−")
+    return real_minus(significant(value, 4))
 
 
 def _numbers(fit: Fit) -> list[tuple[str, str, str]]:

@@ -12,9 +12,9 @@ from arcless.errors import OutputError
 from arcless.results.export import tables
 from arcless.results.export.tables import Run
 from arcless.storage.csv_files import Column, write_csv
+from arcless.storage.endings import check_ending
 from arcless.storage.excel_files import MOST_ROWS, write_excel
 from arcless.storage.whole_files import check_writable, replacing
-from arcless.units import show
 
 # Characters of a variable's name in MATLAB.
 LONGEST_NAME = 63
@@ -35,14 +35,7 @@ def check_target(path: Path) -> None:
     OutputError
         Its ending is unknown, a package is missing, or the place is none.
     """
-    ending = path.suffix.lower()
-    if ending not in _WRITERS:
-        raise OutputError(
-            "unknown kind of file",
-            where=str(path),
-            got=show(path.suffix) if path.suffix else "a name without an ending",
-            expected=f"a name that ends in {', '.join(_WRITERS)}",
-        )
+    ending = check_ending(path, _WRITERS, "unknown kind of file")
     package, extra = _NEEDS.get(ending, ("", ""))
     if package and find_spec(package) is None:
         raise OutputError(

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from arcless.display.numbers import real_minus
 from arcless.model import Scenario
 from arcless.model.pantograph.placement import PantographPlacement
 from arcless.simulate.fmu.admission import places_of
@@ -159,8 +160,9 @@ def warnings_of(told: dict[str, dict[str, Any]]) -> list[str]:
                 " what a step took for them; a shorter solver.time_step makes that smaller"
             )
         if abs(force) > NOTABLE_FORCE:
+            left = real_minus(f"{force:+.3g}")
             found.append(
-                f"pantograph {name}: its FMU does not start in balance: {force:+.3g} N are left on"
+                f"pantograph {name}: its FMU does not start in balance: {left} N are left on"
                 " its strips under the static force; give it static_force, or start values"
             )
     return found

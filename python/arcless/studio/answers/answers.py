@@ -80,6 +80,8 @@ def complaint(error: ArclessError | Refused) -> dict[str, Any]:
     if found["hint"]:
         hint = in_page_words(f"; hint: {found['hint']}").removeprefix("; hint: ")
         found["hint"] = hint or None
+    if found["expected"]:
+        found["expected"] = in_page_words(found["expected"])
     text = in_page_words(str(error))
     return {"text": text, **{name: value for name, value in found.items() if value}}
 

@@ -31,6 +31,14 @@ _WORDS = (
     ("give the offset of the first sample (--offset)", _ALIGNED),
     ("give another offset (--offset)", _ALIGNED),
     ("give `--head-mass`, or call", "call"),
+    (
+        "`--allow-fmu`, `allow_fmu=True`, or the environment variable ARCLESS_ALLOW_FMU=1",
+        "a studio that was started with the environment variable ARCLESS_ALLOW_FMU=1",
+    ),
+    (
+        "run the scenario; or step the FMU yourself, with realtime(scenario)",
+        "run the scenario instead",
+    ),
 )
 # Parts of hints that name options → what the page offers instead; nothing where it offers nothing.
 _INSTEAD = (

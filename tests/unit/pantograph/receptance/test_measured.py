@@ -88,6 +88,9 @@ def test_tables_that_are_none(tmp_path: Path, text: str, words: tuple[str, ...])
         (HEAD + ROWS.replace("-170", "140"), ("not passive", "at 16 Hz", "a delay")),
         (HEAD.replace("\n", ", relative_error %\n") + ROWS.replace("\n", ", 0\n"),
          ("relative_error", "above 0")),
+        # Its square outweighs all others: found by the hostile campaign, seed 377.
+        (HEAD.replace("\n", ", relative_error %\n") + ROWS.replace("\n", ", 3\n")
+         .replace(", 3\n", ", 3e-300\n", 1), ("relative_error", "values below 1e-09")),
         (HEAD + ROWS.replace("0.01", "1e-20"), ("twelve powers of ten",)),
     ],
 )  # fmt: skip

@@ -230,7 +230,7 @@ def test_an_fmu_that_does_not_start_in_balance(tmp_path: Path, short: Short) -> 
     model["fmu"]["parameters"] = {"static_force": 100.0}
     found = run(with_model(short(), model))
     assert found.metadata["fmus"]["P1"]["start_imbalance_N"] == pytest.approx(-20.0, abs=0.1)
-    words = "pantograph P1: its FMU does not start in balance: -20 N are left on its strips"
+    words = "pantograph P1: its FMU does not start in balance: −20 N are left on its strips"
     assert any(warning.startswith(words) for warning in found.metadata["warnings"])
 
 

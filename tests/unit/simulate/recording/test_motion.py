@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 import arcless
+from arcless import ContactError
 from arcless.simulate.recording import motion
 from arcless.simulate.recording.motion import MotionPiece, motion_bytes
 
@@ -101,6 +102,30 @@ def test_a_run_is_the_same_with_and_without(name: str) -> None:
         np.testing.assert_array_equal(joined, kept[variable].values)
     assert ("motion_across" in kept) == (last[0].across_m is not None)
     assert [wire.name for wire in last[0].layout.wires] == list(kept["motion_wire"].values)
+
+
+def test_the_last_rows_of_a_run_that_fails_reach_a_viewer() -> None:
+    """A light wire under a compliant contact, without numerical damping: motion that grows."""
+    grows = arcless.load("praks-340").with_(
+        **{
+            "contact.law": "compliant",
+            "solver.time_step": "1 ms",
+            "solver.scheme": "trapezoidal",
+            "line.contact_wire.mass": "0.89 kg/m",
+            "line.dropper.clamp_mass_contact_wire": 0.0,
+        }
+    )
+    pieces: list[MotionPiece] = []
+    with pytest.raises(ContactError, match="the motion grew beyond all bounds") as failed:
+        arcless.run(grows, watch=pieces.append)
+    last = [piece for piece in pieces if piece.attempt == pieces[-1].attempt]
+    time_s = np.concatenate([piece.time_s for piece in last])
+    np.testing.assert_allclose(np.diff(time_s), motion.INTERVAL_S, atol=1e-12)
+    assert failed.value.time_s is not None
+    # The last row is less than an interval before the failure: no step is recorded after it.
+    assert 0.0 <= failed.value.time_s - time_s[-1] < motion.INTERVAL_S
+    for name in ("up_m", "contact_force_N", "mass_displacement_m", "dropper_force_N"):
+        assert all(np.isfinite(getattr(piece, name)).all() for piece in last), name
 
 
 def test_the_moved_wire_lies_on_the_strip() -> None:

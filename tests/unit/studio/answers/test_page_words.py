@@ -6,10 +6,13 @@ from pathlib import Path
 import pytest
 
 import arcless
-from arcless.errors import OutputError
+from arcless.errors import FmuError, ModelError, OutputError
 from arcless.measurements.remarks import WITHOUT_INERTIA
+from arcless.model import Scenario
+from arcless.simulate.fmu.admission import ENVIRONMENT, check_admitted
 from arcless.studio.answers.answers import complaint
 from arcless.studio.answers.page_words import in_page_words
+from tests.support import fmus
 
 OPTION = re.compile(r"(?<![\w-])--[a-z]")
 HINT = re.compile(r'hint\s*=\s*\(?\s*f?"([^"]*--[a-z][^"]*)"')
@@ -50,6 +53,37 @@ def test_remarks_keep_what_can_be_done_here() -> None:
     told = in_page_words(WITHOUT_INERTIA)
     assert not OPTION.search(told)
     assert told.endswith(": call the column contact_force where the recorder took it off")
+
+
+def with_an_fmu(folder: Path) -> Scenario:
+    """Return a scenario whose pantograph is an FMU that nothing may load."""
+    file = fmus.undescribed(folder, fmus.description(), ("linux64", "darwin64"))
+    own = {"name": "outside", "fmu": {"file": str(file), "static_force": "static_force"}}
+    placed = [{"model": own, "static_force": "120 N"}]
+    return arcless.load("en50318-ac-simple-275").with_(pantographs=placed)
+
+
+def test_an_fmu_is_allowed_where_the_studio_is_started(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.delenv(ENVIRONMENT, raising=False)
+    with pytest.raises(FmuError) as refused:
+        check_admitted(with_an_fmu(tmp_path), allow_fmu=False)
+    told = complaint(refused.value)
+    words = "a studio that was started with the environment variable ARCLESS_ALLOW_FMU=1"
+    assert told["expected"] == words
+    assert told["what"] == "pantograph P1 is an FMU, and FMUs are not allowed to run"
+    assert f"expected {words}; hint: its code runs with all rights" in told["text"]
+    assert not any(OPTION.search(str(part)) for part in told.values())
+
+
+def test_a_session_with_an_fmu_says_what_goes_instead(tmp_path: Path) -> None:
+    with pytest.raises(ModelError) as refused:
+        arcless.realtime(with_an_fmu(tmp_path), simulated=True)
+    assert complaint(refused.value)["text"] == (
+        "pantographs.0.model.fmu: not in a real-time loop: an FMU runs in a process of its own;"
+        " hint: run the scenario instead"
+    )
 
 
 def test_other_messages_stay_as_they_are() -> None:

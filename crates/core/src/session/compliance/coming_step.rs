@@ -24,8 +24,8 @@ impl<const DIM: usize, const D: usize> Session<DIM, D> {
     /// outside has found from it, when it asks again until they stay.
     ///
     /// # Errors
-    /// As there; [`CoreError::Input`] for forces that are not finite, or not one for each
-    /// collector.
+    /// [`CoreError::Input`] where no forces are given, or for forces that are not finite or not one
+    /// for each collector; or any [`CoreError`] that a step can raise.
     pub fn compliance_about(
         &mut self,
         forces: &[f64],

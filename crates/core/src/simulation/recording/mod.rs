@@ -1,6 +1,7 @@
 //! Recording of a run.
 
 pub(crate) mod energy_balance;
+mod finite_rows;
 pub mod motion;
 pub mod record;
 pub(crate) mod recorder;

@@ -94,7 +94,7 @@ macro_rules! channels {
             pub const SERIES: &[&str] = &[$(stringify!($series)),+];
 
             /// All series of numbers; the energies are entries.
-            fn series_mut(&mut self) -> [&mut Vec<f64>; Record::SERIES.len()] {
+            pub(super) fn series_mut(&mut self) -> [&mut Vec<f64>; Record::SERIES.len()] {
                 [$(&mut self.$series),+]
             }
 

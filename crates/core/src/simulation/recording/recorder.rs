@@ -133,6 +133,17 @@ impl<const DIM: usize, const D: usize> Recorder<DIM, D> {
         Ok(())
     }
 
+    /// Removes rows with numbers that are not finite, which a failed step may leave, and completes
+    /// energies: they are recorded last.
+    pub(crate) fn keep_finite(&mut self) {
+        let record = &mut self.record;
+        record.keep_finite();
+        if self.books.is_some() {
+            let rows = record.line_time.len();
+            record.energy.resize(rows, EnergyTerms::unknown());
+        }
+    }
+
     fn count(&mut self, stats: &LcpStats, motion: &Motion<DIM, D>) {
         let r = &mut self.record;
         r.pivots += stats.pivots;

@@ -15,12 +15,11 @@ from arcless.cli.arguments.scenario import (
     load,
 )
 from arcless.cli.terminal import console
-from arcless.errors import ModelError, OutputError
+from arcless.errors import ModelError
 
 if TYPE_CHECKING:
     from arcless.simulate.session.step_times import StepTimes
 
-_ENDINGS = (".csv", ".json")
 # A day: nobody waits for more, and a million steps take 32 MB.
 LONGEST_S = 86_400.0
 
@@ -114,10 +113,10 @@ def _check(seconds: float, to: Path | None) -> None:
         raise ModelError("--seconds", got=f"{seconds:g}", expected=f"above 0, up to {LONGEST_S:g}")
     if to is None:
         return
+    from arcless.storage.endings import check_ending
     from arcless.storage.whole_files import check_writable
 
-    if to.suffix.lower() not in _ENDINGS:
-        raise OutputError("--to", got=str(to), expected=f"a file {' or '.join(_ENDINGS)}")
+    check_ending(to, (".csv", ".json"), "unknown kind of file")
     check_writable(to)
 
 

@@ -101,12 +101,11 @@ def measure(
     position, speed, sensor force, acceleration of the strips and contact height;
     `arcless assess` and `arcless compare` read it as that of a test run.
     """
-    from arcless.errors import OutputError
     from arcless.measurements.read import ENDINGS
     from arcless.results import Instrument
     from arcless.results import open as open_result
+    from arcless.storage.endings import check_ending
     from arcless.storage.whole_files import check_writable
-    from arcless.units import show
 
     texts = (
         rate, low_pass, mass, lift, force_noise, force_resolution, force_min, force_max,
@@ -117,13 +116,8 @@ def measure(
         for (option, (field, unit)), text in zip(_FIELDS.items(), texts, strict=True)
         if text is not None
     }
-    if to.suffix.lower() not in ENDINGS:
-        raise OutputError(
-            "not a name of a measured run",
-            where=str(to),
-            got=show(to.suffix) if to.suffix else "a name without an ending",
-            expected=f"a name that ends in {', '.join(ENDINGS)}, as `arcless assess` reads it",
-        )
+    hint = "these are the files that `arcless assess` reads"
+    check_ending(to, ENDINGS, "not a name of a measured run", hint=hint)
     check_writable(to)
     readings = open_result(result).as_measured(Instrument(**given, seed=seed), pantograph)
     readings.save(to)

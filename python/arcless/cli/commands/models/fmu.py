@@ -87,6 +87,7 @@ def export(
     """
     from arcless.errors import ModelError
     from arcless.fmi import export_fmu, export_model
+    from arcless.storage.endings import check_ending
 
     if pantograph is not None and given not in (None, "contact-force"):
         raise ModelError(
@@ -95,11 +96,8 @@ def export(
             got=given,
             expected="contact-force, or no --given",
         )
-    kind = out.suffix.lower()
-    if kind not in (".fmu", ".loop"):
-        raise ModelError(
-            "kind of file", where="--out", got=str(out), expected="NAME.fmu or NAME.loop"
-        )
+    hint = "an FMU, or a model of the C interface"
+    kind = check_ending(out, (".fmu", ".loop"), "unknown kind of file", hint=hint)
     if kind == ".loop" and fmi is not None:
         raise ModelError(
             "version of the FMI", where="--fmi", got=fmi, expected="no --fmi for NAME.loop"

@@ -135,17 +135,14 @@ def _check(order: int | None, out: Path | None, report: Path | None, *, overwrit
     import os
 
     from arcless.errors import ModelError, OutputError
+    from arcless.storage.endings import check_ending
     from arcless.storage.whole_files import check_writable
-    from arcless.units import show
 
     if order is None and (out is not None or report is not None):
         raise ModelError("--order", got="none", expected="a number of masses to write",
                          hint="without --out and --report it lists the orders")  # fmt: skip
     if out is not None:
-        if out.suffix not in (".yaml", ".yml"):
-            raise OutputError("not a name of a model file", where=str(out),
-                              got=show(out.suffix) if out.suffix else "a name without an ending",
-                              expected="a name that ends in .yaml")  # fmt: skip
+        check_ending(out, names.MODELS, "not a name of a model file")
         if os.path.lexists(out) and not overwrite:
             raise OutputError("the file exists", where=str(out), expected="a new name",
                               hint="choose another name, or add --overwrite")  # fmt: skip

@@ -6,6 +6,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from arcless.display.numbers import real_minus
+
 # More are noise: two runs that begin elsewhere in a span differ in the third digit already.
 DIGITS = 4
 # Beyond these, zeros would say nothing but a size, which an exponent says better.
@@ -19,9 +21,9 @@ def digits(value: float | None) -> str:
         return NONE
     size = 0 if value == 0.0 else floor(log10(abs(value)))
     if not _SMALLEST <= size < _LARGEST:
-        return _signed(f"{value:.{DIGITS - 1}e}")
+        return real_minus(f"{value:.{DIGITS - 1}e}")
     text = f"{value:.{max(0, DIGITS - 1 - size)}f}"
-    return _signed(text.rstrip("0").rstrip(".") if "." in text else text)
+    return real_minus(text.rstrip("0").rstrip(".") if "." in text else text)
 
 
 def decimals(values: NDArray[np.floating[Any]]) -> int | None:
@@ -46,7 +48,7 @@ def column_texts(values: NDArray[np.floating[Any]]) -> list[str]:
     places = decimals(values)
     if places is None:
         return [digits(float(value)) for value in values]
-    return [_signed(f"{v:.{places}f}") if np.isfinite(v) else NONE for v in values.tolist()]
+    return [real_minus(f"{v:.{places}f}") if np.isfinite(v) else NONE for v in values.tolist()]
 
 
 def form(values: NDArray[np.floating[Any]]) -> str:
@@ -55,7 +57,3 @@ def form(values: NDArray[np.floating[Any]]) -> str:
     if places is None:
         return "0.000e+0"
     return "0." + "0" * places if places else "0"
-
-
-def _signed(text: str) -> str:
-    return text.replace("-", "−")

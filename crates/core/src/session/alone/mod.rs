@@ -13,102 +13,24 @@
 //! is exact; with them as long as none opens or closes because the contact force is another one:
 //! a program that asks again about the forces it has found is exact once they stay.
 
+mod breakpoint_problem;
+mod standing;
+mod start;
+mod strip_now;
+
+pub use start::{AloneInputs, AloneStart};
+
 use crate::checkpoint::{Archive, Checkpoint};
-use crate::each_kind;
 use crate::error::CoreError;
-use crate::lcp::LcpSolver;
-use crate::linalg::dense;
 use crate::linalg::small::inner;
-use crate::pantograph::breakpoint::{Branch, Breakpoint};
+use crate::pantograph::breakpoint::Branch;
 use crate::pantograph::excitation::ExcitationNow;
 use crate::pantograph::model::Pantograph;
 use crate::pantograph::state::PantographState;
-use crate::pantograph::strip::Strip;
 use crate::scheme::{Coefficients, Scheme};
-use crate::session::{AnySession, Session};
 use crate::simulation::saved::resume::archive_pantograph;
-
-/// Start of a pantograph by itself, in equilibrium.
-#[derive(Debug, Clone, Default)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct AloneStart {
-    /// Displacements, m.
-    pub displacements: Vec<f64>,
-    /// Preload p, N.
-    pub preload: f64,
-    /// Height above the rail that displacements count from, m.
-    pub datum: f64,
-    /// Contact force on each strip, N.
-    pub forces: Vec<f64>,
-    /// Lateral position of the wire on each strip, m.
-    pub laterals: Vec<f64>,
-}
-
-impl AloneStart {
-    fn is_finite(&self) -> bool {
-        let lists = [&self.displacements, &self.forces, &self.laterals];
-        let numbers = [self.preload, self.datum];
-        lists
-            .into_iter()
-            .flatten()
-            .chain(&numbers)
-            .all(|v| v.is_finite())
-    }
-}
-
-/// Inputs of a step.
-#[derive(Debug, Clone, Copy)]
-pub struct AloneInputs<'a> {
-    /// Contact force on each strip at the time of balance, N, which pushes it down.
-    pub forces: &'a [f64],
-    /// Lateral position of the wire on each strip, m.
-    pub laterals: &'a [f64],
-    /// Force of the actuator, N.
-    pub actuator: f64,
-    /// Speed at the time of balance, m/s.
-    pub speed: f64,
-    /// Displacement of the base at the end of the step, m, and its rate, m/s.
-    pub base: [f64; 2],
-}
-
-/// Strip with what depends on the lateral position of the wire.
-#[derive(Debug, Clone)]
-struct StripNow {
-    /// Vector e(y).
-    vector: Vec<f64>,
-    /// Column A⁻¹e.
-    column: Vec<f64>,
-    /// Columns at each knot of the strip.
-    columns: Vec<Vec<f64>>,
-}
-
-impl StripNow {
-    fn new(strip: &Strip, state: &PantographState) -> Self {
-        let columns = strip.vectors.iter().map(|e| state.response(e));
-        Self {
-            vector: strip.vectors[0].clone(),
-            column: state.response(&strip.vectors[0]),
-            columns: columns.collect(),
-        }
-    }
-
-    fn move_wire(&mut self, strip: &Strip, lateral: f64) {
-        strip.interpolate(&strip.vectors, lateral, &mut self.vector);
-        strip.interpolate(&self.columns, lateral, &mut self.column);
-    }
-}
-
-/// Complementarity problem of the active breakpoints, with its memory.
-#[derive(Debug, Clone, Default)]
-struct BreakpointProblem {
-    rows: Vec<usize>,
-    h: Vec<f64>,
-    w: Vec<f64>,
-    x: Vec<f64>,
-    y: Vec<f64>,
-    warm: Vec<bool>,
-    solver: LcpSolver,
-}
+use breakpoint_problem::BreakpointProblem;
+use strip_now::StripNow;
 
 /// Pantograph by itself.
 #[derive(Debug, Clone)]
@@ -163,7 +85,7 @@ impl Alone {
             start,
             steps: 0,
         };
-        made.move_wires();
+        made.move_wires_back();
         Ok(made)
     }
 
@@ -215,12 +137,12 @@ impl Alone {
         self.predict(inputs);
         if let Err(error) = self.solve(inputs.forces) {
             self.restore_breakpoints();
-            self.move_wires();
+            self.move_wires_back();
             return Err(error);
         }
         if !self.state.delta.iter().all(|v| v.is_finite()) {
             self.restore_breakpoints();
-            self.move_wires();
+            self.move_wires_back();
             let (what, step) = ("the motion", self.steps);
             return Err(CoreError::NotFinite { what, step });
         }
@@ -250,7 +172,7 @@ impl Alone {
             self.yield_of_strips(inputs.forces, heights, compliance);
         }
         self.restore_breakpoints();
-        self.move_wires();
+        self.move_wires_back();
         found
     }
 
@@ -274,7 +196,7 @@ impl Alone {
         restored.archive(&mut archive)?;
         archive.finish()?;
         restored.steps = saved.step;
-        restored.move_wires();
+        restored.move_wires_back();
         // A clone has no room to spare.
         restored.problem = std::mem::take(&mut self.problem);
         restored.kept = std::mem::take(&mut self.kept);
@@ -309,20 +231,14 @@ impl Alone {
         Ok(())
     }
 
-    /// Moves the wires on the strips to where they are in `laterals`.
-    fn move_wires(&mut self) {
-        let strips = self.strips.iter_mut().zip(&self.state.model.strips);
-        for ((now, strip), lateral) in strips.zip(&self.laterals) {
-            now.move_wire(strip, *lateral);
-        }
+    /// Moves the wires on the strips back to where they were in the last step.
+    fn move_wires_back(&mut self) {
+        move_wires(&mut self.strips, &self.state, &self.laterals);
     }
 
     /// Finds the increment without contact forces and forces of breakpoints.
     fn predict(&mut self, inputs: &AloneInputs<'_>) {
-        let strips = self.strips.iter_mut().zip(&self.state.model.strips);
-        for ((now, strip), lateral) in strips.zip(inputs.laterals) {
-            now.move_wire(strip, *lateral);
-        }
+        move_wires(&mut self.strips, &self.state, inputs.laterals);
         let old = self.coefficients.old;
         let [end, rate] = inputs.base;
         let balance = (1.0 - old) * end + old * self.state.excitation.displacement;
@@ -354,70 +270,26 @@ impl Alone {
 
     fn solve_breakpoints(&mut self, forces: &[f64]) -> Result<(), CoreError> {
         let (problem, all) = (&mut self.problem, &mut self.state.breakpoints);
-        problem.rows.clear();
-        let active = all.iter().enumerate().filter(|(_, b)| b.active);
-        problem.rows.extend(active.map(|(number, _)| number));
-        let n = problem.rows.len();
-        if n == 0 {
-            return Ok(());
-        }
-        problem.set_matrix(all);
-        problem.w.clear();
-        problem.warm.clear();
-        for &row in &problem.rows {
-            let b = &all[row];
-            let pressed = self.strips.iter().zip(forces);
-            let by_contacts: f64 = pressed
-                .map(|(strip, force)| inner(&b.coordinate.direction, &strip.column) * force)
-                .sum();
-            problem.w.push(b.predicted_opening / b.factor - by_contacts);
-            problem.warm.push(b.force > 0.0);
-        }
-        for list in [&mut problem.x, &mut problem.y] {
-            list.resize(n, 0.0);
-        }
-        let BreakpointProblem {
-            h, w, x, y, warm, ..
-        } = problem;
-        let solved = problem.solver.solve(h, w, x, y, warm);
-        if let Err(failure) = solved {
-            return Err(CoreError::Lcp {
-                step: self.steps,
-                time: (self.steps + 1) as f64 * self.step_length,
-                contacts: Vec::new(),
-                links: Vec::new(),
-                stops: vec![n],
-                failure: Box::new(failure),
-            });
-        }
-        for (&row, force) in problem.rows.iter().zip(&problem.x) {
-            all[row].force = *force;
-        }
-        Ok(())
+        let solved = problem.solve(all, &self.strips, forces);
+        solved.map_err(|failure| CoreError::Lcp {
+            step: self.steps,
+            time: (self.steps + 1) as f64 * self.step_length,
+            contacts: Vec::new(),
+            links: Vec::new(),
+            stops: vec![self.problem.active()],
+            failure: Box::new(failure),
+        })
     }
 
-    /// Heights and compliance of the strips about the solution that stands in the increment.
+    /// Finds heights and compliance of the strips about the solution that stands in the increment.
     fn yield_of_strips(&mut self, forces: &[f64], heights: &mut [f64], compliance: &mut [f64]) {
         let (count, all) = (self.strips.len(), &self.state.breakpoints);
-        let problem = &mut self.problem;
-        problem
-            .rows
-            .retain(|&row| all[row].active && all[row].force > 0.0);
+        self.problem.keep_closed(all);
         for (j, source) in self.strips.iter().enumerate() {
-            // More force σ of the closed breakpoints for 1 N on this strip.
-            problem.x.clear();
-            let rows = problem.rows.iter().map(|&row| &all[row]);
-            let moved = rows.map(|b| inner(&b.coordinate.direction, &source.column));
-            problem.x.extend(moved);
-            problem.set_matrix(all);
-            let is_regular = dense::solve_in_place(&mut problem.h, &mut problem.x);
-            debug_assert!(is_regular, "a principal block of a P-matrix");
+            self.problem.load(all, &source.column);
             for (i, target) in self.strips.iter().enumerate() {
-                let held = problem.rows.iter().zip(&problem.x).map(|(&row, force)| {
-                    all[row].sign * force * inner(&target.vector, &all[row].column)
-                });
-                compliance[i * count + j] =
-                    inner(&target.vector, &source.column) - held.sum::<f64>();
+                let held = self.problem.held(all, &target.vector);
+                compliance[i * count + j] = inner(&target.vector, &source.column) - held;
             }
         }
         for (i, strip) in self.strips.iter().enumerate() {
@@ -448,61 +320,10 @@ impl Alone {
     }
 }
 
-impl BreakpointProblem {
-    fn with_room(rows: usize) -> Self {
-        let mut made = Self::default();
-        made.rows.reserve(rows);
-        made.h.reserve(rows * rows);
-        for list in [&mut made.w, &mut made.x, &mut made.y] {
-            list.reserve(rows);
-        }
-        made.warm.reserve(rows);
-        if rows > 0 {
-            made.solver.reserve(rows);
-        }
-        made
-    }
-
-    /// Sets H of the rows: see [`breakpoint`](crate::pantograph::breakpoint).
-    fn set_matrix(&mut self, all: &[Breakpoint]) {
-        self.h.clear();
-        for &i in &self.rows {
-            let row = self.rows.iter();
-            self.h
-                .extend(row.map(|&j| all[i].response(&all[j], i == j)));
-        }
-    }
-}
-
-impl<const DIM: usize, const D: usize> Session<DIM, D> {
-    /// Simulated pantograph by its number, and its start by itself where it stands now: displaced,
-    /// with the contact forces that it has. It is at rest there only before the first step.
-    #[must_use]
-    pub fn standing_alone(&self, number: usize) -> Option<(Pantograph, AloneStart)> {
-        let (motion, model) = (&self.state.motion, self.model.pantographs.get(number)?);
-        let state = motion.pantographs.get(number)?;
-        let mut start = AloneStart {
-            displacements: state.u.clone(),
-            preload: state.preload,
-            datum: motion.datum,
-            forces: vec![0.0; model.strips.len()],
-            laterals: vec![0.0; model.strips.len()],
-        };
-        for (contact, force) in motion.contacts.all.iter().zip(&motion.problem.force) {
-            let [pantograph, strip, _] = contact.indices;
-            if pantograph == number && contact.has_wire {
-                start.forces[strip] += force;
-                start.laterals[strip] = contact.lateral;
-            }
-        }
-        Some((model.clone(), start))
-    }
-}
-
-impl AnySession {
-    /// Simulated pantograph by itself: see [`Session::standing_alone`].
-    #[must_use]
-    pub fn standing_alone(&self, number: usize) -> Option<(Pantograph, AloneStart)> {
-        each_kind!(self, Self, session => session.standing_alone(number))
+/// Moves the wires on the strips to lateral positions, m.
+fn move_wires(strips: &mut [StripNow], state: &PantographState, laterals: &[f64]) {
+    let strips = strips.iter_mut().zip(&state.model.strips);
+    for ((now, strip), lateral) in strips.zip(laterals) {
+        now.move_wire(strip, *lateral);
     }
 }
