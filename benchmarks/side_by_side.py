@@ -39,6 +39,7 @@ def of_scipy(scenario: Scenario, one: Stepping, repeats: int = 3) -> Found:
 
 def of_exudyn(scenario: Scenario, one: Stepping) -> Found:
     """The same by Exudyn, once: it takes longest."""
+    from tests.support.exudyn_built import Built
     from tests.support.exudyn_run import Run
 
     class Timed(Run):
@@ -49,8 +50,9 @@ def of_exudyn(scenario: Scenario, one: Stepping) -> Found:
             return steps[0]
 
     travel = one.job.travel
-    run = Timed(scenario, one.job.found, travel.steps, travel.time_step)
-    ends = run.record().force
+    built = Built.of(scenario, one.job.found)
+    run = Timed(scenario, built, travel.steps, travel.time_step)
+    ends = run.record().force[:, 0]
     # Exudyn records at the ends of steps, Arcless at the times of balance.
     ends_at = np.arange(travel.steps + 1)
     balance = ends_at[1:] - one.job.scenario.stepping.scheme.spectral_radius / (
