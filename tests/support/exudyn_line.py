@@ -12,7 +12,6 @@ import exudyn.itemInterface as items  # noqa: N813
 import numpy as np
 from exudyn.advancedUtilities import CreateSymbolicUserFunction
 from exudyn.solver import ComputeLinearizedSystem
-from scipy.sparse import csr_matrix
 
 from arcless.mesh import PLANAR
 from arcless.model import Scenario
@@ -25,15 +24,14 @@ Coordinates = dict[Place, Any]
 
 
 class Line:
-    """The line of a scenario, as `built`; nodes begin as drawn or at `start`.
+    """The line of a scenario, as `built`; nodes begin as drawn, or at `start`, at rest.
 
-    With `only_wires` there is nothing else than cables, held where their coordinates are.
+    Wires that begin at rest have their damping.
     """
 
     def __init__(
-        self, scenario: Scenario, built: Built, start: Coordinates | None = None,
-        *, only_wires: bool = False,
-    ) -> None:  # fmt: skip
+        self, scenario: Scenario, built: Built, start: Coordinates | None = None
+    ) -> None:
         self.container = exu.SystemContainer()  # dies with its systems if nobody keeps it
         self.system = self.container.AddSystem()
         self.scenario, self.built, self.start = scenario, built, start
@@ -47,8 +45,6 @@ class Line:
         self.cables = {name: self._cables(name) for name in WIRES}
         for held, component in built.mesh.parts["fixed"]:
             self.hold(self.coordinate(self.at[int(held)], int(component)), self.ground)
-        if only_wires:
-            return
         self.droppers = [self._dropper(place) for place in built.mesh.droppers]
         self.springs = self._springs()
         self.arms = [self._arm(row) for row in range(len(built.hinge))]
@@ -91,24 +87,36 @@ class Line:
 
     def _cables(self, name: str) -> list[Any]:
         wire, mesh, made = getattr(self.scenario.line, name), self.built.mesh, []
-        kind = items.ObjectANCFCable2D if self.size == PLANAR else items.ObjectANCFCable
+        weight = self.upward(-self.scenario.solver.gravity)
         for row in mesh.wire_rows[name]:
             element = mesh.parts["wires"][row]
-            a, b = element["nodes"].tolist()
-            slope_a, slope_b = element["slope_nodes"].tolist()
-            cable = kind(
-                length=self.built.wire_length[row],
-                massPerLength=wire.mass,
-                bendingStiffness=wire.bending_stiffness,
-                axialStiffness=wire.axial_stiffness,
-                nodeNumbers=[self._node((a, slope_a)), self._node((b, slope_b))],
-            )
+            pairs = zip(element["nodes"].tolist(), element["slope_nodes"].tolist(), strict=True)
+            places = list(pairs)
+            cable = self._cable(wire, row)
+            cable.nodeNumbers = [self._node(place) for place in places]
             made.append(self.system.AddObject(cable))
             body = self.system.AddMarker(items.MarkerBodyMass(bodyNumber=made[-1]))
-            weight = self.upward(-self.scenario.solver.gravity)
             load = items.LoadMassProportional(markerNumber=body, loadVector=weight)
             self.system.AddLoad(load)
+            if self.start is not None:
+                ends = [self.start[place] for place in places]
+                matrix = rayleigh(self._cable(wire, row), ends, wire.damping)
+                damper = items.ObjectGenericODE2(
+                    nodeNumbers=cable.nodeNumbers,
+                    massMatrix=np.zeros_like(matrix),
+                    dampingMatrix=matrix,
+                )
+                self.system.AddObject(damper)
         return made
+
+    def _cable(self, wire: Any, row: int) -> Any:
+        kind = items.ObjectANCFCable2D if self.size == PLANAR else items.ObjectANCFCable
+        return kind(
+            length=self.built.wire_length[row],
+            massPerLength=wire.mass,
+            bendingStiffness=wire.bending_stiffness,
+            axialStiffness=wire.axial_stiffness,
+        )
 
     def _dropper(self, place: Any) -> Any:
         kind = self.scenario.line.dropper
@@ -215,16 +223,16 @@ class Line:
         return np.array(found).reshape(len(connectors), -1)[:, 0]
 
 
-def rayleigh(scenario: Scenario, built: Built, start: Coordinates) -> Any:
-    """Return α M + β K of the wires alone, M and K as Exudyn has them at rest."""
-    line = Line(scenario, built, start, only_wires=True)
-    line.system.Assemble()
-    mass, stiffness, _ = ComputeLinearizedSystem(line.system, settings())
-    contact, messenger = scenario.line.contact_wire, scenario.line.messenger_wire
-    assert contact.damping == messenger.damping, "one α and one β for both wires"
-    matrix = contact.damping.alpha * mass + contact.damping.beta * stiffness
-    matrix[np.abs(matrix) < 1e-12 * np.abs(matrix).max()] = 0.0  # of numerical differentiation
-    return csr_matrix(matrix)
+def rayleigh(cable: Any, ends: list[Any], damping: Any) -> Any:
+    """Return α M + β K of one cable, M and K as Exudyn has them where its ends are."""
+    container = exu.SystemContainer()
+    system = container.AddSystem()
+    kind = items.NodePoint2DSlope1 if len(ends[0]) == 2 * PLANAR else items.NodePointSlope1
+    cable.nodeNumbers = [system.AddNode(kind(referenceCoordinates=list(end))) for end in ends]
+    system.AddObject(cable)
+    system.Assemble()
+    mass, stiffness, _ = ComputeLinearizedSystem(system, settings())
+    return damping.alpha * mass + damping.beta * stiffness
 
 
 def settings() -> Any:

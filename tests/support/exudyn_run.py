@@ -15,7 +15,7 @@ import numpy as np
 from arcless.assess.signals.filter import low_pass
 from arcless.model import Scenario
 from tests.support.exudyn_built import Built
-from tests.support.exudyn_line import ALONG, Line, rayleigh, settings
+from tests.support.exudyn_line import ALONG, Line, settings
 from tests.support.exudyn_wire import ContactWire
 
 
@@ -69,10 +69,7 @@ class Run:
         rest = Line(self.scenario, self.built).settle()
         self.line = Line(self.scenario, self.built, rest)
         self.line.only_pull()
-        self.system, nodes = self.line.system, list(self.line.nodes.values())
-        damping = exu.MatrixContainer()
-        damping.SetWithSparseMatrix(rayleigh(self.scenario, self.built, rest))
-        self.system.AddObject(items.ObjectGenericODE2(nodeNumbers=nodes, dampingMatrix=damping))
+        self.system = self.line.system
         self.wire = ContactWire.of(self.line, rest)
         x, _ = self.scenario.travel_range()
         for placed in self.scenario.pantographs:
@@ -84,11 +81,10 @@ class Run:
 
     def _masses(self, one: Collector) -> Any:
         """Stack masses, springs and dampers; return a marker of the head."""
-        row, _ = self.wire.locate(one.start)
         stiffness, force = self.scenario.contact.stiffness, one.placed.static_force
         place = [one.start, 0.0, 0.0]
         # A little into the wire: a spring that touches without force has no stiffness.
-        place[self.line.up] = self.wire.left[row, self.line.up] + force / stiffness
+        place[self.line.up] = self.wire.height(one.start, self.line.up) + force / stiffness
         parts = one.placed.model.masses
         for part in parts:
             node = items.NodePoint(

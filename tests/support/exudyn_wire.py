@@ -41,6 +41,12 @@ class ContactWire:
         share = (x - self.left[row, 0]) / (self.right[row, 0] - self.left[row, 0])
         return row, float(share * self.length[row])
 
+    def height(self, x: float, up: int) -> float:
+        """Height at x, m: of the chord of a cable, which sags by less than 0.2 mm of 1.5 m."""
+        row, place = self.locate(x)
+        share = place / self.length[row]
+        return float((1.0 - share) * self.left[row, up] + share * self.right[row, up])
+
 
 def elasticity(line: Line, rest: Coordinates, places: Sequence[float]) -> Any:
     """Return how far a wire that has settled rises by 1 N at each place, m/N: up less down."""
