@@ -29,9 +29,7 @@ class Line:
     Wires that begin at rest have their damping.
     """
 
-    def __init__(
-        self, scenario: Scenario, built: Built, start: Coordinates | None = None
-    ) -> None:
+    def __init__(self, scenario: Scenario, built: Built, start: Coordinates | None = None) -> None:
         self.container = exu.SystemContainer()  # dies with its systems if nobody keeps it
         self.system = self.container.AddSystem()
         self.scenario, self.built, self.start = scenario, built, start

@@ -15,7 +15,7 @@ import numpy as np
 from arcless.assess.signals.filter import low_pass
 from arcless.model import Scenario
 from tests.support.exudyn_built import Built
-from tests.support.exudyn_line import ALONG, Line, settings
+from tests.support.exudyn_line import Line, settings
 from tests.support.exudyn_wire import ContactWire
 
 

@@ -10,8 +10,7 @@ import numpy as np
 
 from tests.support.exudyn_line import Coordinates, Line, settings
 
-# Half of 1 N is lost in the tolerance of Newton's method, 100 N change the geometry: 10 N move
-# the wire by some millimetres up and as many down, of which the mean is linear to 1e-5. In N.
+# Up and down, so that even terms cancel: 20 N and 5 N give the same elasticity to 6e-6. In N.
 PROBE = 10.0
 
 

@@ -54,7 +54,11 @@ def test_line_hangs_as_designed(evidence) -> None:
         ("contact wire", found.mesh.contact_nodes),
         ("messenger wire", found.mesh.messenger_nodes),
     ):
-        apart = [settled[place][line.up] - here[place[0], line.up] for place in settled if place[0] in nodes]
+        apart = [
+            settled[place][line.up] - here[place[0], line.up]
+            for place in settled
+            if place[0] in nodes
+        ]
         assert len(apart) > 200
         evidence.below(
             f"height of the {name}, largest difference", float(np.abs(apart).max()), 5e-6,
