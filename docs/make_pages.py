@@ -30,6 +30,7 @@ from validation import (
     published,
     shipped,
     spacing,
+    two_programs,
 )
 
 Makers = dict[str, dict[str, Callable[[], str]]]
@@ -49,6 +50,7 @@ FRAGMENTS = [
     *_of("guide/", line_types.QUICK | speed_marks.QUICK),
     *_of("guide/", {"damping": damping.SLOW} | line_types.SLOW | examples.SLOW, slow=True),
     *_of("validation/", core_faults.QUICK, computed=False),
+    *_of("validation/", two_programs.QUICK, computed=False),
     *_of("validation/", {"library": library.QUICK}, computed=False),
     *_of("validation/", published.QUICK),
     *_of("validation/", published.SLOW, slow=True),
