@@ -18,6 +18,7 @@ AT_REST = (
 )
 VERSIONS = (
     "chains", "chains, halved", "cubic elements", "cubic elements, halved",
+    "cubic elements, updated",
     "Exudyn, 0.72 m", "same equations, 0.72 m", "Exudyn, 0.36 m", "same equations, 0.36 m",
 )  # fmt: skip
 PANTOGRAPHS = ("alone", "first of two", "second of two")

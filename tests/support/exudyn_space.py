@@ -69,6 +69,22 @@ class Passage:
         return cls(np.column_stack(columns), uplift)
 
 
+def extrapolated(coarse: Passage, fine: Passage) -> Passage:
+    """Continue two runs, the second at half of length and step, by an error of second order."""
+    return Passage(
+        fine.force + (fine.force - coarse.force) / 3.0,
+        fine.uplift + (fine.uplift - coarse.uplift) / 3.0,
+    )
+
+
+def statistics(force: Any) -> dict[str, float]:
+    """Return what is assessed, N."""
+    return {
+        "mean force": float(force.mean()), "standard deviation": float(force.std()),
+        "maximum": float(force.max()), "minimum": float(force.min()),
+    }  # fmt: skip
+
+
 def moving(pantographs: int, **changes: Any) -> arcless.Scenario:
     """Return the run: six spans, the first pantograph from 137.5 to 302.5 m."""
     placed = [
