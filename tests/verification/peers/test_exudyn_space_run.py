@@ -157,7 +157,7 @@ def names(pantographs: int) -> list[str]:
 
 @dataclass(frozen=True)
 class Allowed:
-    """What two versions of a run may differ by: statistics and forces in N, uplift in m."""
+    """Bounds of how far two versions of a run may be apart: forces in N, uplift in m."""
 
     mean: float
     deviation: float
