@@ -5,7 +5,7 @@ describes. Plain SciPy: `plain_scipy`. Only the steps are timed, not what comes 
 """
 
 import importlib.util
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -20,6 +20,8 @@ HEAD = (
     "force differs, root mean square",
 )  # fmt: skip
 ELEMENTS = {"solver.contact_wire_element": 1.5, "solver.messenger_wire_element": 3.0}
+# The others have neither a correction of the period nor residual flexibility.
+SAME = {**SOLVED, "solver.period_correction": False}
 Found = tuple[float, Any]  # processor time in s, contact force in N
 
 
@@ -39,6 +41,7 @@ def of_scipy(scenario: Scenario, one: Stepping, repeats: int = 3) -> Found:
 
 def of_exudyn(scenario: Scenario, one: Stepping) -> Found:
     """The same by Exudyn, once: it takes longest."""
+    from tests.support.exudyn_built import Built
     from tests.support.exudyn_run import Run
 
     class Timed(Run):
@@ -49,8 +52,9 @@ def of_exudyn(scenario: Scenario, one: Stepping) -> Found:
             return steps[0]
 
     travel = one.job.travel
-    run = Timed(scenario, one.job.found, travel.steps, travel.time_step)
-    ends = run.record().force
+    built = Built.of(scenario, one.job.found)
+    run = Timed(scenario, built, travel.steps, travel.time_step)
+    ends = run.record().force[:, 0]
     # Exudyn records at the ends of steps, Arcless at the times of balance.
     ends_at = np.arange(travel.steps + 1)
     balance = ends_at[1:] - one.job.scenario.stepping.scheme.spectral_radius / (
@@ -72,23 +76,19 @@ def row(title: str, program: str, one: Stepping, found: Found, fastest: Found) -
 
 
 def rows(progress: Callable[[str], None] = lambda _text: None) -> list[list[str]]:
-    """Compare on two models; Exudyn only where it is installed."""
-    return _ac_simple(progress) + _reference(progress)
+    """Compare on three models; Exudyn only where it is installed."""
+    return _ac_simple(progress) + _reference(progress) + _in_space(progress)
 
 
 def _short(name: str, start: float, end: float, changes: dict[str, Any]) -> Scenario:
-    # The others have no correction of the period: the same equations are compared.
-    short = {
-        "travel": {"start": start, "end": end}, "analysis.spans": None,
-        "solver.period_correction": False,
-    }  # fmt: skip
+    short = {"travel": {"start": start, "end": end}, "analysis.spans": None}
     return load(name).with_(**{**short, **changes})
 
 
 def _ac_simple(progress: Callable[[str], None]) -> list[list[str]]:
     given = {"pantographs.0.static_force": 172.0}
     shipped = _short("en50318-ac-simple-320-planar", 55.0, 233.0, given)  # 2 s
-    scenario = shipped.with_(**SOLVED)
+    scenario = shipped.with_(**SAME)
     progress("AC simple in Arcless and in SciPy")
     own, one = of_arcless(scenario)
     explicit, chains = of_arcless(shipped)
@@ -103,25 +103,46 @@ def _ac_simple(progress: Callable[[str], None]) -> list[list[str]]:
 
 
 def _reference(progress: Callable[[str], None]) -> list[list[str]]:
-    scenario = _short("en50318-2002-250", 60.0, 130.0, ELEMENTS)  # 1 s
+    scenario = _short("en50318-2002-250", 60.0, 130.0, {**SAME, **ELEMENTS})  # 1 s
     progress("EN 50318:2002 in Arcless and in SciPy")
     own, one = of_arcless(scenario)
     rows = [
         row("EN 50318:2002, 10 spans, 1 s", "Arcless", one, own, own),
         row("", "plain SciPy", one, of_scipy(scenario, one), own),
     ]
+    return rows + _beside_exudyn("EN 50318:2002", scenario, one, own, progress)
+
+
+def _in_space(progress: Callable[[str], None]) -> list[list[str]]:
+    given = {
+        "pantographs.0.static_force": 140.0,
+        "line.spans": [{"type": "standard", "count": 10}],
+    }
+    shipped = _short("en50318-ac-simple-275", 110.0, 187.0, given)  # 1 s
+    scenario = shipped.with_(**{**SAME, **ELEMENTS})
+    progress("AC simple in space in Arcless")
+    own, one = of_arcless(scenario)
+    explicit, chains = of_arcless(shipped)
+    rows = [
+        row("AC simple in space, 10 spans, 1 s", "Arcless, with a matrix", one, own, own),
+        # Other elements, so other forces.
+        row("", "Arcless, explicit steps, as shipped", chains, explicit, (own[0], explicit[1])),
+    ]
+    return rows + _beside_exudyn("AC simple in space", scenario, one, own, progress)
+
+
+def _beside_exudyn(
+    title: str, scenario: Scenario, one: Stepping, own: Found, progress: Callable[[str], None]
+) -> list[list[str]]:
+    """Rows of the updated run and of Exudyn, whose forces are compared.
+
+    How much faster Arcless is, is said of the linearised run for both.
+    """
     if importlib.util.find_spec("exudyn") is None:
         progress("Exudyn is not installed (`make peers`): left out")
-        return rows
-    progress("EN 50318:2002 in Exudyn")
+        return []
+    progress(f"{title} in Exudyn")
     moved, _ = of_arcless(scenario.with_(**{"solver.kinematics": "updated"}), 3)
-    rows.append(row("", "Arcless, updated kinematics", one, moved, own))
-    rows.append(row("", "Exudyn (updates too)", one, of_exudyn(scenario, one), moved))
-    return _beside_default(rows, own[0], one)
-
-
-def _beside_default(rows: Sequence[list[str]], least: float, one: Stepping) -> list[list[str]]:
-    """Say for Exudyn how much faster the default of Arcless is, not the updated run."""
-    *others, last = rows
-    last[5] = f"{float(last[3]) * 1e-6 * one.job.travel.steps / least:.3g}"
-    return [*others, last]
+    last = row("", "Exudyn (updates too)", one, of_exudyn(scenario, one), moved)
+    last[5] = f"{float(last[3]) * 1e-6 * one.job.travel.steps / own[0]:.3g}"
+    return [row("", "Arcless, updated kinematics", one, moved, own), last]

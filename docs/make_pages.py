@@ -32,6 +32,7 @@ from validation import (
     shipped,
     spacing,
     spacing_lines,
+    two_programs,
 )
 
 Makers = dict[str, dict[str, Callable[[], str]]]
@@ -53,6 +54,7 @@ FRAGMENTS = [
     *_of("theory/", readings.QUICK),
     *_of("theory/", readings.SLOW, slow=True),
     *_of("validation/", core_faults.QUICK, computed=False),
+    *_of("validation/", two_programs.QUICK, computed=False),
     *_of("validation/", {"library": library.QUICK}, computed=False),
     *_of("validation/", published.QUICK),
     *_of("validation/", published.SLOW, slow=True),

@@ -22,6 +22,7 @@ TAIL = """## Pages with tables of runs
 Longer studies, each with its own text:
 
 - [EN 50318:2002](en50318-2002.md), [AC simple](ac-simple.md), [PRAKS](praks.md): published cases
+- [AC simple in space, in two programs](in-space.md): both families of elements, and those of Exudyn
 - [Convergence](convergence.md) and [of the published method](convergence-published.md)
 - [Energy](energy.md)
 - [Shipped lines](lines.md), [library](library.md)

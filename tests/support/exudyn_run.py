@@ -1,7 +1,8 @@
-"""A pantograph under a line in Exudyn: two masses that fly along the track, a moving contact.
+"""Pantographs under a line in Exudyn: masses that fly along the track, contacts that move.
 
-The contact is a spring that only pushes, from the upper mass to the point of the wire that stands
-above it. Every cable has such a spring; before each step the right one is switched on.
+A contact is a spring that only pushes, from the uppermost mass to the point of the wire that stands
+above it. Every cable has such a spring for each pantograph; before each step the right ones are
+switched on.
 """
 
 from dataclasses import dataclass, field
@@ -12,162 +13,176 @@ import exudyn.itemInterface as items  # noqa: N813
 import numpy as np
 
 from arcless.assess.signals.filter import low_pass
-from arcless.equilibrium.equilibrium import Equilibrium
 from arcless.model import Scenario
-from tests.support.exudyn_line import ALONG, UP, Line, rayleigh, settings
+from tests.support.exudyn_built import Built
+from tests.support.exudyn_line import Line, settings
+from tests.support.exudyn_wire import ContactWire
 
 
 @dataclass
 class Record:
-    """Contact force in N and uplift of the supports in m, at the start and after each step."""
+    """Contact forces in N and uplift of the supports in m, at the start and after each step.
+
+    Columns of the forces are pantographs, of the uplift supports.
+    """
 
     force: Any
     uplift: Any
 
 
 @dataclass
-class Wire:
-    """The contact wire at rest: ends of its cables (x, z, slopes), their lengths in m."""
+class Collector:
+    """A pantograph in a system of Exudyn.
 
-    left: Any
-    right: Any
-    length: Any
+    Attributes
+    ----------
+    placed : pantograph of the scenario
+    start : where it stands at the start, m
+    masses : nodes, from base to head
+    frame : spring and damper between the base and the roof
+    springs : contact springs, one for each cable of the contact wire
+    markers : points of the cables that they push
+    touched : cable of the spring that is switched on
+    """
 
-    def locate(self, x: float) -> tuple[int, float]:
-        """Cable above x and its own coordinate there; it is straight to 1e-5 of its length."""
-        row = int(np.searchsorted(self.left[:, 0], x, side="right")) - 1
-        share = (x - self.left[row, 0]) / (self.right[row, 0] - self.left[row, 0])
-        return row, float(share * self.length[row])
+    placed: Any
+    start: float
+    masses: list[Any] = field(default_factory=list)
+    frame: Any = None
+    springs: list[Any] = field(default_factory=list)
+    markers: list[Any] = field(default_factory=list)
+    touched: int = 0
 
 
 @dataclass
 class Run:
-    """Steps of `step` s, `steps` of them, from static equilibrium under the force at the start."""
+    """Steps of `step` s, `steps` of them, from static equilibrium under the forces at the start."""
 
     scenario: Scenario
-    cut: Equilibrium
+    built: Built
     steps: int
     step: float
-    masses: list[Any] = field(default_factory=list)
-    springs: list[Any] = field(default_factory=list)
-    markers: list[Any] = field(default_factory=list)
+    collectors: list[Collector] = field(default_factory=list)
 
     def record(self) -> Record:
         """Build, settle and step."""
-        begin = Line(self.scenario, self.cut).settle()
-        self.line = Line(self.scenario, self.cut, begin)
+        rest = Line(self.scenario, self.built).settle()
+        self.line = Line(self.scenario, self.built, rest)
         self.line.only_pull()
-        self.system, nodes = self.line.system, list(self.line.nodes.values())
-        damping = exu.MatrixContainer()
-        damping.SetWithSparseMatrix(rayleigh(self.scenario, self.cut, begin))
-        self.system.AddObject(items.ObjectGenericODE2(nodeNumbers=nodes, dampingMatrix=damping))
-        self.wire = self._wire(begin)
-        self._pantograph()
-        self._contacts()
+        self.system = self.line.system
+        self.wire = ContactWire.of(self.line, rest)
+        x, _ = self.scenario.travel_range()
+        for placed in self.scenario.pantographs:
+            one = Collector(placed, x - placed.distance)
+            self.collectors.append(one)
+            self._contacts(one, self._masses(one))
         self._settle()
         return self._step()
 
-    def _wire(self, begin: Any) -> Wire:
-        mesh = self.cut.mesh
-        wires = mesh.parts["wires"][mesh.wire_rows["contact_wire"]]
-        ends = [(*a.tolist(), *b.tolist()) for a, b in wires[["nodes", "slope_nodes"]]]
-        length = [self.system.GetObject(c)["length"] for c in self.line.cables["contact_wire"]]
-        left = np.array([begin[a, slope] for a, _, slope, _ in ends])
-        return Wire(left, np.array([begin[b, slope] for _, b, _, slope in ends]), length)
-
-    def _pantograph(self) -> None:
-        placed, (x, _) = self.scenario.pantographs[0], self.scenario.travel_range()
-        row, _ = self.wire.locate(x)
+    def _masses(self, one: Collector) -> Any:
+        """Stack masses, springs and dampers; return a marker of the head."""
+        stiffness, force = self.scenario.contact.stiffness, one.placed.static_force
+        place = [one.start, 0.0, 0.0]
         # A little into the wire: a spring that touches without force has no stiffness.
-        height = self.wire.left[row, 1] + placed.static_force / self.scenario.contact.stiffness
-        for part in placed.model.masses:
-            node = items.NodePoint2D(
-                referenceCoordinates=[x, height], initialVelocities=[self.scenario.speed, 0.0]
+        place[self.line.up] = self.wire.height(one.start, self.line.up) + force / stiffness
+        parts = one.placed.model.masses
+        for part in parts:
+            node = items.NodePoint(
+                referenceCoordinates=place, initialVelocities=[self.scenario.speed, 0.0, 0.0]
             )
-            self.masses.append(self.system.AddNode(node))
-            body = items.ObjectMassPoint2D(mass=part.mass, nodeNumber=self.masses[-1])
-            self.system.AddObject(body)
-        base, head = placed.model.masses
-        ends = [items.MarkerNodePosition(nodeNumber=node) for node in self.masses]
-        self.head = [self.system.AddMarker(end) for end in ends]
-        between = items.CartesianSpringDamper(
-            markerNumbers=self.head,
-            stiffness=[0.0, head.stiffness, 0.0],
-            damping=[0.0, head.damping, 0.0],
-        )
-        self.system.AddObject(between)
-        lower = self.line.coordinate(self.masses[0], UP)
+            one.masses.append(self.system.AddNode(node))
+            self.system.AddObject(items.ObjectMassPoint(mass=part.mass, nodeNumber=one.masses[-1]))
+        ends = [self.line.position(node) for node in one.masses]
+        for lower, upper, part in zip(ends, ends[1:], parts[1:], strict=False):
+            between = items.CartesianSpringDamper(
+                markerNumbers=[lower, upper],
+                stiffness=self.line.upward(part.stiffness),
+                damping=self.line.upward(part.damping),
+            )
+            self.system.AddObject(between)
+        base = self.line.coordinate(one.masses[0], self.line.up)
         # Its spring is at rest where the run begins; until then there is none.
         frame = items.CoordinateSpringDamper(
-            markerNumbers=[self.line.ground, lower], damping=base.damping
+            markerNumbers=[self.line.ground, base], damping=parts[0].damping
         )
-        self.frame = self.system.AddObject(frame)
-        push = items.LoadCoordinate(markerNumber=lower, load=placed.static_force)
-        self.system.AddLoad(push)
+        one.frame = self.system.AddObject(frame)
+        self.system.AddLoad(items.LoadCoordinate(markerNumber=base, load=force))
+        return ends[-1]
 
-    def _contacts(self) -> None:
-        stiffness = self.scenario.contact.stiffness
+    def _contacts(self, one: Collector, head: Any) -> None:
+        stiffness, up = self.scenario.contact.stiffness, self.line.up
 
         def push(mbs, t, item, apart, velocity, k, d, offset):  # noqa: PLR0917
-            return [0.0, stiffness * min(0.0, apart[1]), 0.0]
+            return self.line.upward(stiffness * min(0.0, apart[up]))
 
         for cable in self.line.cables["contact_wire"]:
             marker = items.MarkerBodyPosition(bodyNumber=cable, localPosition=[0.0, 0.0, 0.0])
-            self.markers.append(self.system.AddMarker(marker))
+            one.markers.append(self.system.AddMarker(marker))
             spring = items.CartesianSpringDamper(
-                markerNumbers=[self.head[-1], self.markers[-1]],
+                markerNumbers=[head, one.markers[-1]],
                 springForceUserFunction=push,
                 activeConnector=False,
             )
-            self.springs.append(self.system.AddObject(spring))
+            one.springs.append(self.system.AddObject(spring))
 
-    def _touch(self, x: float) -> None:
+    def _touch(self, one: Collector, x: float) -> None:
         row, place = self.wire.locate(x)
-        self.system.SetObjectParameter(self.springs[self.touched], "activeConnector", False)
-        self.system.SetObjectParameter(self.springs[row], "activeConnector", True)
-        self.system.SetMarkerParameter(self.markers[row], "localPosition", [place, 0.0, 0.0])
-        self.touched = row
+        self.system.SetObjectParameter(one.springs[one.touched], "activeConnector", False)
+        self.system.SetObjectParameter(one.springs[row], "activeConnector", True)
+        self.system.SetMarkerParameter(one.markers[row], "localPosition", [place, 0.0, 0.0])
+        one.touched = row
 
     def _settle(self) -> None:
-        self.touched = 0
-        self._touch(self.scenario.travel_range()[0])
-        ground = self.line.ground
-        held = [self.line.hold(self.line.coordinate(m, ALONG), ground) for m in self.masses]
+        held = []
+        across = [c for c in range(3) if c != self.line.up]
+        for one in self.collectors:
+            self._touch(one, one.start)
+            for node in one.masses:
+                markers = [self.line.coordinate(node, component) for component in across]
+                held += [self.line.hold(marker, self.line.ground) for marker in markers]
         self.system.Assemble()
         self.system.SolveStatic(settings(), updateInitialValues=True)
         for constraint in held:
             self.system.SetObjectParameter(constraint, "activeConnector", False)
-        lifted = self.system.GetNodeOutput(self.masses[0], exu.OutputVariableType.Displacement)
-        base = self.scenario.pantographs[0].model.masses[0]
-        self.system.SetObjectParameter(self.frame, "stiffness", base.stiffness)
-        self.system.SetObjectParameter(self.frame, "offset", lifted[1])
+        for one in self.collectors:
+            lifted = self.system.GetNodeOutput(one.masses[0], exu.OutputVariableType.Displacement)
+            base = one.placed.model.masses[0]
+            self.system.SetObjectParameter(one.frame, "stiffness", base.stiffness)
+            self.system.SetObjectParameter(one.frame, "offset", lifted[self.line.up])
 
     def _step(self) -> Record:
-        supports = [self.line.at[place.contact_node] for place in self.cut.mesh.supports]
-        record = Record(np.zeros(self.steps + 1), np.zeros((self.steps + 1, len(supports))))
-        x, speed = self.scenario.travel_range()[0], self.scenario.speed
-        kind = exu.OutputVariableType
+        supports = [self.line.at[place.contact_node] for place in self.built.mesh.supports]
+        count = self.steps + 1
+        record = Record(
+            np.zeros((count, len(self.collectors))), np.zeros((count, len(supports)))
+        )  # fmt: skip
+        kind, up = exu.OutputVariableType, self.line.up
 
         def before(mbs, t):  # t is the end of the step already
-            self._touch(x + speed * t)
+            for one in self.collectors:
+                self._touch(one, one.start + self.scenario.speed * t)
             return True
 
         def after(mbs, t):
             now = round(t / self.step)
-            force = mbs.GetObjectOutput(self.springs[self.touched], kind.Force)
-            record.force[now] = -force[1]
-            record.uplift[now] = [mbs.GetNodeOutput(s, kind.Displacement)[1] for s in supports]
+            for column, one in enumerate(self.collectors):
+                force = mbs.GetObjectOutput(one.springs[one.touched], kind.Force)
+                record.force[now, column] = -force[up]
+            record.uplift[now] = [mbs.GetNodeOutput(s, kind.Displacement)[up] for s in supports]
             return True
 
         self.system.SetPreStepUserFunction(before)
         self.system.SetPostStepUserFunction(after)
+        self._march()
+        return record
+
+    def _march(self) -> None:
         chosen = settings()
         chosen.timeIntegration.numberOfSteps = self.steps
         chosen.timeIntegration.endTime = self.steps * self.step
         radius = self.scenario.stepping.scheme.spectral_radius
         chosen.timeIntegration.generalizedAlpha.spectralRadius = radius
         self.system.SolveDynamic(chosen, solverType=exu.DynamicSolverType.GeneralizedAlpha)
-        return record
 
 
 def filtered(time: Any, force: Any, cutoff: float = 20.0) -> Any:

@@ -96,6 +96,20 @@ def start_force(factor: float) -> Iterator[None]:
 
 
 @contextmanager
+def last_behind(distance: float) -> Iterator[None]:
+    """Let the last pantograph of two or more press so many metres behind where it stands."""
+
+    def spoil(arguments: dict[str, Any]) -> bool:
+        *others, last = arguments["pantographs"]
+        strips = [strip._replace(offset=strip.offset + distance) for strip in last.strips]
+        arguments["pantographs"] = [*others, last._replace(strips=strips)]
+        return len(others) > 0
+
+    with spoiled(running=spoil):
+        yield
+
+
+@contextmanager
 def prepared_with(**changes: Any) -> Iterator[None]:
     """Prepare every line with another scheme, step or contact stiffness: functions of the old."""
 

@@ -40,6 +40,7 @@ from tests.support.python_faults import wrong
 
 pytest.importorskip("exudyn", reason="Exudyn is not installed: `make peers`")
 
+from tests.support.exudyn_built import Built
 from tests.support.exudyn_run import Record, Run, filtered, low_pass, statistics
 
 # The other program has no correction of the period: its waves are as late as its scheme makes them.
@@ -64,8 +65,9 @@ def both(changes: dict[str, Any]) -> tuple[Any, Record]:
     scenario = arcless.load("en50318-2002-250").with_(**SAME, **changes)
     data = arcless.run(scenario).dataset
     steps, step = data.attrs["steps"], scenario.time_step_s
-    other = Run(scenario, equilibrium.find(scenario), steps, step).record()
-    force = np.interp(data.time.values, step * np.arange(steps + 1), other.force)
+    built = Built.of(scenario, equilibrium.find(scenario))
+    other = Run(scenario, built, steps, step).record()
+    force = np.interp(data.time.values, step * np.arange(steps + 1), other.force[:, 0])
     return data, Record(force, other.uplift)
 
 

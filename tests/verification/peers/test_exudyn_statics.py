@@ -28,7 +28,8 @@ pytest.importorskip("exudyn", reason="Exudyn is not installed: `make peers`")
 
 import exudyn as exu
 
-from tests.support.exudyn_line import UP, Coordinates, Line
+from tests.support.exudyn_built import Built
+from tests.support.exudyn_line import Coordinates, Line
 
 ELEMENTS = {
     "solver.scheme": "generalised-alpha",
@@ -42,7 +43,7 @@ LAW = "another law of the wire moves it by about 1 µm (above); five times that"
 def both_at_rest() -> tuple[equilibrium.Equilibrium, Line, Coordinates]:
     scenario = arcless.load("en50318-2002-250").with_(**ELEMENTS)
     found = equilibrium.find(scenario)
-    line = Line(scenario, found)
+    line = Line(scenario, Built.of(scenario, found))
     return found, line, line.settle()
 
 
@@ -53,18 +54,22 @@ def test_line_hangs_as_designed(evidence) -> None:
         ("contact wire", found.mesh.contact_nodes),
         ("messenger wire", found.mesh.messenger_nodes),
     ):
-        apart = [settled[place][UP] - here[place[0], UP] for place in settled if place[0] in nodes]
+        apart = [
+            settled[place][line.up] - here[place[0], line.up]
+            for place in settled
+            if place[0] in nodes
+        ]
         assert len(apart) > 200
         evidence.below(
             f"height of the {name}, largest difference", float(np.abs(apart).max()), 5e-6,
             unit="m", reason=LAW,
         )  # fmt: skip
-    drawn = [settled[d.nodes[1], d.nodes[1]][UP] - 5.3 for d in found.mesh.droppers]
+    drawn = [settled[d.nodes[1], d.nodes[1]][line.up] - 5.3 for d in found.mesh.droppers]
     evidence.below(
         "height of the contact wire at the 90 droppers, off the 5.3 m of the model file",
         float(np.abs(drawn).max()), 5e-6, unit="m", reason=LAW,
     )  # fmt: skip
-    forces = line.dropper_forces()
+    forces = line.pulls(line.droppers)
     assert forces.size == 90
     apart = np.abs(forces - found.of_droppers("link_tension"))
     evidence.below(
@@ -98,7 +103,7 @@ def test_tensions_are_nominal(evidence) -> None:
     rows = [
         row
         for row, (node, component) in enumerate(found.mesh.parts["springs"][["node", "component"]])
-        if node not in on_contact and component == UP
+        if node not in on_contact and component == line.up
     ]
     assert len(rows) == 9
     held = [
