@@ -30,12 +30,14 @@ class Plan:
     ----------
     slope : across the track per metre along it; None in the plane
     apart : distance of the places at which it turns back to the other side, m; None: it does not
+    arms : length of the hinged arms that hold it there, m; None: it is held without them
     swing : what pushes it to the side while something is sent upward, N
     said : in rows of the evidence
     """
 
     slope: float | None = None
     apart: float | None = None
+    arms: float | None = None
     swing: float = 0.0
     said: str = ""
 
@@ -44,7 +46,7 @@ class Plan:
         return family.line(x, *kinds, **self._options(float(x[-1])))
 
     def _options(self, end: float) -> dict[str, Any]:
-        return {"slant": self.slope, "corners": self.corners(end)}
+        return {"slant": self.slope, "corners": self.corners(end), "arms": self.arms}
 
     @property
     def longer(self) -> float:

@@ -24,6 +24,8 @@ ALONG, UP = 0, 1
 ACROSS, UPWARDS = 1, 2
 # Springs and dampers are one part, and its stiffness must not be zero. In N/m.
 NEARLY_NONE = 1e-9
+# EA of an arm, N: a tube of 42 mm, of which 1 kN stretches 1.2 m by 0.05 mm.
+ARM = 2e7
 
 
 def wire(
@@ -73,6 +75,7 @@ class Straight:
     loose : the ends are held along the track only, not in height
     slant : what wires in space run across the track per metre along it; None in the plane
     corners : places, m, at which they turn back to the other side, and are held across the track
+    arms : length of the level, hinged arms that pull there, m; None: held without them
     """
 
     def __init__(
@@ -86,6 +89,7 @@ class Straight:
         loose: bool = False,
         slant: float | None = None,
         corners: Sequence[float] = (),
+        arms: float | None = None,
     ) -> None:
         self.x, self.kinds, self.heights = x, kinds, heights
         self.parts, self.lumped, self.fitted = Parts(), lumped or fitted, fitted
@@ -101,7 +105,10 @@ class Straight:
                 if slant is not None:
                     self.parts.fix(number, ACROSS)
             for corner in corners:
-                self.parts.fix(self.node(corner, which), ACROSS)
+                if arms is None:
+                    self.parts.fix(self.node(corner, which), ACROSS)
+                else:
+                    self._pull(corner, which, arms)
             self.parts.add("ends", node=number, force=kind.tension, released=False)
 
     def across(self) -> tuple[Floats, Floats]:
@@ -111,6 +118,18 @@ class Straight:
         place = np.concatenate([[0.0], np.cumsum(slopes * np.diff(self.x))])
         both = 0.5 * (np.append(slopes[0], slopes) + np.append(slopes, slopes[-1]))
         return place - 0.5 * (place.max() + place.min()), both
+
+    def _pull(self, x: float, which: int, length: float) -> None:
+        """Let an arm pull the corner outward: by T times the angle of the corner."""
+        place = float(self.across()[0][int(np.argmin(abs(self.x - x)))])
+        side = float(np.sign(place))
+        pull = 2.0 * self.kinds[which].tension * abs(self.slant or 0.0)
+        self.parts.add(
+            "struts", node=self.node(x, which), direction=(0.0, side, 0.0),
+            anchor=(x, place + side * length, self.heights[which]),
+            rest_length=length / (1.0 + pull / ARM), stiffness=ARM * (1.0 + pull / ARM) / length,
+            moving_mass=0.0, hanging_mass=0.0, adjust=False,
+        )  # fmt: skip
 
     def _lay(self, which: int, kind: Wire) -> list[int]:
         numbers = [i * len(self.kinds) + which for i in range(len(self.x))]

@@ -93,6 +93,7 @@ LATER = (
     "delays are those of any elements for long waves: what rings at the end of the record counts"
     " with its time, and of cubic elements of 1.44 m the most"
 )
+CORNERS = "; half as much more where that meets corners in plan"
 SHARED = (
     "amplitudes of long waves are those of any elements: what short ones, which run ahead on a"
     " wire that resists bending, and elements that pass have of it"
@@ -122,6 +123,8 @@ def check_damped(evidence: Evidence, family: Family, speed: float, plan: Plan) -
         loops.append(1e3 * abs(echo - softened(moving) - back - there))
     what = f"{rounded} km/h{plan.said}"
     limits = ANSWERS[name, rounded]
+    times = [(1.5 if plan.apart else 1.0) * limit for limit in TIMES[name]]
+    later = LATER + (CORNERS if plan.apart else "")
     hold(
         evidence,
         family,
@@ -131,16 +134,14 @@ def check_damped(evidence: Evidence, family: Family, speed: float, plan: Plan) -
         reason=SHAKEN,
         unit="1",
     )
-    hold(
-        evidence, family, f"delay − d/(c + V), {what}", first, TIMES[name], reason=LATER, unit="ms"
-    )
+    hold(evidence, family, f"delay − d/(c + V), {what}", first, times, reason=later, unit="ms")
     hold(
         evidence,
         family,
         f"loop − 2dc/(c² − V²), {what}",
         loops,
-        TIMES[name],
-        reason=LATER,
+        times,
+        reason=later,
         unit="ms",
     )
     amplitudes(evidence, more, f"{what}, {name}", impedance, MIDDLE + back + there)
