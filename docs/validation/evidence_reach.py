@@ -37,7 +37,7 @@ REACHES = (
         "a line in space, at rest",
         ("conservation/staggered_line", "closed_forms/curve", "closed_forms/bands"),
         "arms are springs of force over length; wires in curves; stagger beside the planar line",
-        "published elasticities of a line with stagger",
+        "another program's line in space; published elasticities of a line with stagger",
     ),
     Reach(
         "a line in space, under motion",
@@ -45,8 +45,8 @@ REACHES = (
          "conservation/mirror", "limits/shipped_scenarios"),
         "closed forms of the plane hold with stagger while the wire swings aside, at 275 and"
         " 320 km/h; bands on hinged arms; energy with a head that rolls",
-        "arms that turn far from their place, and a closed form for a wire with stagger whose"
-        " tension changes; a measured run",
+        "another program's run in space; arms that turn far from where they are at rest; a wire"
+        " with stagger whose tension changes; a measured run",
     ),
     Reach(
         "a contact that moves",
@@ -74,7 +74,7 @@ def section(topics: list[Topic]) -> str:
     rows = []
     for reach in REACHES:
         own = [known[name] for name in reach.topics]
-        titles = "; ".join(topic.title.partition(",")[0] for topic in own)
+        titles = "; ".join(dict.fromkeys(topic.title.partition(",")[0] for topic in own))
         counts = f"{sum(len(topic.rows) for topic in own)} values, "
         counts += f"{sum(len(topic.faults) for topic in own)} faults"
         rows.append([reach.where, f"{reach.shown} ({titles})", counts, reach.still_not])
