@@ -13,7 +13,7 @@ these forces change by in the run:
 
 **Kinks of constant forces explain none of it.** They alone would make a force of that size (21 to
 30 N, the runs have 20 to 41 N), and it has nothing to do with the run's: the correlation is −0.08
-to −0.43. For a dropper that the pantograph comes to has let go of its kink: of 90 passages 70 (on
+to −0.42. For a dropper that the pantograph comes to has let go of its kink: of 90 passages 70 (on
 the planar line at 275 km/h) to 90 (all others) meet a slack one. What is left is the weight of the
 wire between, and waves from droppers that go slack and tighten. With these the same closed form has
 95 to 97 % of the variance of three runs and 87 % of the fourth.
