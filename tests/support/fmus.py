@@ -128,7 +128,7 @@ def pack(file: Path, text: str, libraries: Mapping[str, Path]) -> Path:
     with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive:
         archive.writestr("modelDescription.xml", text)
         for folder, own in libraries.items():
-            archive.write(own, f"binaries/{folder}/pantograph.so")
+            archive.write(own, f"binaries/{folder}/pantograph{own.suffix}")
     return file
 
 

@@ -46,7 +46,8 @@ class Server:
         return self
 
     def __exit__(self, *_: object) -> None:
-        self.process.send_signal(signal.SIGCONT)
+        if sys.platform != "win32":  # nothing stops a process there
+            self.process.send_signal(signal.SIGCONT)
         self.process.kill()
         self.process.communicate()
 

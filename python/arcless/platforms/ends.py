@@ -12,6 +12,8 @@ _SIGNALS: dict[str, Words] = {
     "SIGTERM": ("it was terminated", None),
     "SIGSEGV": ("it crashed (segmentation fault)", _REPORT),
     "SIGABRT": ("it aborted itself", _REPORT),
+    "SIGFPE": ("it crashed (division by zero)", _REPORT),
+    "SIGILL": ("it crashed (instruction that this processor does not have)", _REPORT),
     "SIGBUS": ("it could not reach its memory or a file", "is a disk full?"),
 }  # fmt: skip
 # Codes of Windows (NTSTATUS values), which no process of POSIX can end with: those end at 255.
@@ -21,6 +23,7 @@ _CODES: dict[int, Words] = {
     0xC000_0006: ("it could not reach its memory or a file", "is a disk full, or gone?"),
     0xC000_0017: ("the memory of the machine was used up", _SHORT_OF_MEMORY),
     0xC000_001D: ("it crashed (instruction that this processor does not have)", _REPORT),
+    0xC000_0094: ("it crashed (division by zero)", _REPORT),
     0xC000_00FD: ("it crashed (stack overflow)", _REPORT),
     0xC000_0135: ("a library that it needs is missing", "install Arcless again"),
     0xC000_013A: ("it was ended by Ctrl-C or with its terminal", None),

@@ -10,9 +10,11 @@ from arcless.platforms.ends import why_ended
     [
         (-9, "it was killed, by a user or because", "record less"),
         (-11, "it crashed (segmentation fault)", "please report it"),
+        (-8, "it crashed (division by zero)", "please report it"),
         (-63, "signal 63", None),
         (7, "it ended with code 7", "please report it"),
         (0xC0000005, "it crashed (access violation)", "please report it"),
+        (0xC0000094, "it crashed (division by zero)", "please report it"),
         (0xC0000017, "the memory of the machine was used up", "record less"),
         (0xC000013A, "it was ended by Ctrl-C", None),
         (0xC0001234, "it ended with code 0xC0001234", "please report it"),

@@ -1,8 +1,9 @@
 """Main program of the process in which an FMU runs, alone: loads it, steps it, answers.
 
-Its command line is `python -P fmu_process.py`, in the folder that the FMU is unpacked into, which
-it removes when Arcless is gone. It imports nothing of Arcless: so it starts in a quarter of a
-second. Requests come on standard input, answers go to standard output, both as frames:
+Its command line is `python -P fmu_process.py NUMBER`, with the number of the process of Arcless, in
+the folder that the FMU is unpacked into, which it removes when Arcless is gone. It imports nothing
+of Arcless: so it starts in a quarter of a second. Requests come on standard input, answers go to
+standard output, both as frames:
 
     kind (1 byte), length of what follows (4 bytes, little-endian), content
 
@@ -193,7 +194,9 @@ def main() -> None:
     # Text that a library prints must not get between the frames.
     os.dup2(sys.stderr.fileno(), sys.stdout.fileno())
     folder = os.getcwd()  # noqa: PTH109 - as a text, to be removed at the end
-    threading.Thread(target=_end_with, args=(os.getppid(), folder), daemon=True).start()
+    # On Windows the launcher of a virtual environment stands between.
+    arcless = int(sys.argv[1]) if sys.platform == "win32" else os.getppid()
+    threading.Thread(target=_end_with, args=(arcless, folder), daemon=True).start()
     import fmpy.fmi2
     import fmpy.fmi3  # noqa: F401 - before the FMU's time counts
 
@@ -217,15 +220,36 @@ def main() -> None:
     _leave(folder)
 
 
-def _end_with(parent: int, folder: str) -> None:
-    """End this process when the one that started it is gone, even inside of the library."""
-    while os.getppid() == parent:
-        time.sleep(_LOOK_EVERY_S)
+def _end_with(arcless: int, folder: str) -> None:
+    """End this process when that of Arcless is gone, even inside of the library."""
+    _wait_for_end(arcless)
     _leave(folder)
 
 
+if sys.platform == "win32":
+
+    def _wait_for_end(arcless: int) -> None:
+        """Wait until the process of Arcless is gone, which its number does not tell there."""
+        synchronize, for_ever = 0x0010_0000, 0xFFFF_FFFF
+        kernel = ctypes.WinDLL("kernel32")
+        kernel.OpenProcess.restype = ctypes.c_void_p
+        handle = kernel.OpenProcess(synchronize, False, arcless)
+        if handle:
+            kernel.WaitForSingleObject(ctypes.c_void_p(handle), for_ever)
+else:
+
+    def _wait_for_end(arcless: int) -> None:
+        """Wait until the process of Arcless is gone: this one gets another parent then."""
+        while os.getppid() == arcless:
+            time.sleep(_LOOK_EVERY_S)
+
+
 def _leave(folder: str) -> None:
-    """Remove the folder and end at once: no library has a say in that any more."""
+    """Remove the folder and end at once: no library has a say in that any more.
+
+    Windows keeps a library that is loaded, and the folder that a process works in.
+    """
+    os.chdir(os.path.dirname(folder))  # noqa: PTH120 - as above
     shutil.rmtree(folder, ignore_errors=True)
     os._exit(0)
 

@@ -3,7 +3,6 @@
 import json
 import os
 import shutil
-import signal
 import subprocess
 import sys
 import tempfile
@@ -16,6 +15,8 @@ from pathlib import Path
 from typing import IO, Any
 
 from arcless.errors import FmuError
+from arcless.platforms.children import environment
+from arcless.platforms.ends import why_ended
 from arcless.simulate.fmu import fmu_process
 
 # Interval in s between two looks at the clock of an answer: a limit is kept within that.
@@ -24,14 +25,6 @@ _LOOK_EVERY_S = 0.05
 _START_S = 120.0
 # Characters of the last words of an FMU that a message quotes.
 _LAST_WORDS = 300
-_SIGNALS = {
-    "SIGKILL": "it was killed, by a user or because the memory of the machine was used up",
-    "SIGSEGV": "it crashed (segmentation fault)",
-    "SIGABRT": "it aborted itself",
-    "SIGFPE": "it crashed (division by zero)",
-    "SIGILL": "it crashed (illegal instruction)",
-    "SIGBUS": "it crashed (bus error)",
-}
 
 
 class FmuProcess:
@@ -67,16 +60,14 @@ class FmuProcess:
         threading.Thread(target=self._watch, daemon=True).start()
 
     def _started(self) -> "subprocess.Popen[bytes]":
-        environment = dict(os.environ)
-        environment["PYTHONPATH"] = os.pathsep.join(place for place in sys.path if place)
-        environment.setdefault("OPENBLAS_NUM_THREADS", "1")
+        program = Path(fmu_process.__file__).resolve()
         with self._words.open("wb") as words:
             return subprocess.Popen(
-                [sys.executable, "-P", str(Path(fmu_process.__file__).resolve())],
+                [sys.executable, "-P", str(program), str(os.getpid())],
                 stdin=subprocess.PIPE,
                 stdout=subprocess.PIPE,
                 stderr=words,
-                env=environment,
+                env=environment(),
                 cwd=self._folder,
             )
 
@@ -154,11 +145,7 @@ class FmuProcess:
                 got=f"no answer within {within_s:g} s",
                 hint="give a longer time_limit if it only is slow",
             )
-        words = f"it ended with code {code}"
-        if code < 0:
-            with suppress(ValueError):
-                name = signal.Signals(-code).name
-                words = _SIGNALS.get(name, f"it was ended by the signal {name}")
+        words, _ = why_ended(code)
         return FmuError("the FMU is gone", got=words, hint=self._hint())
 
     def _hint(self) -> str | None:
