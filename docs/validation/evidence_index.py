@@ -1,5 +1,6 @@
 """The first page of the evidence: every topic in one line."""
 
+from validation import evidence_reach
 from validation.runs import table
 
 from arcless.validate.evidence import GROUPS, Topic
@@ -45,6 +46,7 @@ def page(topics: list[Topic]) -> str:
     versions = " and ".join(sorted({topic.version for topic in topics}))
     counts = f"{sum(len(topic.rows) for topic in topics)} values in {len(topics)} topics"
     parts = [f"{HEAD}\nRecorded with version {versions}: {counts}.\n"]
+    parts.append(f"{evidence_reach.section(topics)}\n")
     for group, title in GROUPS.items():
         own = [topic for topic in topics if topic.group == group]
         if own:

@@ -1,6 +1,7 @@
 """A page of evidence: topics of one group, each with its values, its pictures, its faults."""
 
-from validation.runs import table
+from validation import evidence_sizes
+from validation.runs import escaped, table
 
 from arcless.validate.evidence import GROUPS, Measurement, NoticedFault, Topic
 
@@ -42,7 +43,9 @@ def _section(topic: Topic) -> str:
         f"![{figure['title']}](../images/validation/{figure['file']})" for figure in topic.figures
     ]
     beside = [row for row in topic.rows if row.table and row.unit == GOAL]
-    parts.append(_kinds(topic.rows) if beside else _values(topic.rows))
+    sized, others = evidence_sizes.split(topic.rows)
+    parts.append(_kinds(others) if beside else _values(others))
+    parts.append(evidence_sizes.tables(sized))
     parts += [_order(row) for row in topic.rows if row.table and row not in beside]
     parts.append(_beside(beside))
     if topic.faults:
@@ -53,6 +56,8 @@ def _section(topic: Topic) -> str:
 
 
 def _values(rows: list[Measurement]) -> str:
+    if not rows:
+        return ""
     marked = any(row.mark for row in rows)
     head = ["value", "measured", "reference", "allowed", "used", "verdict", "why this tolerance"]
     if marked:
@@ -132,8 +137,3 @@ def _faults(faults: list[NoticedFault]) -> str:
             for f in faults
         ],
     )
-
-
-def escaped(text: str) -> str:
-    """Return a text that stays in its cell."""
-    return " ".join(text.replace("|", "\\|").split())

@@ -65,6 +65,33 @@ def ranges_table(topic: str, cases: Iterable[Any]) -> str:
     return table(("case", "quantity", "published", "Arcless", "verdict", "mark"), rows)
 
 
+def kinks_table() -> str:
+    """Return what kinks have of the force above 5 Hz, as the tests recorded it."""
+    (record,) = (known for known in recorded() if known.name == "superposed_kinks")
+    values = {row.what: row for row in record.rows}
+    cases = dict.fromkeys(row.what.partition(": ")[0] for row in record.rows)
+    rows = []
+    for case in cases:
+        of_sum = values[f"{case}: σ of the sum at 5 to 20 Hz"]
+        sigma = of_sum.reference or 0.0
+        ratio = values[f"{case}: σ of the kinks over that of the run"].value
+        left = values[f"{case}: share of the variance that the sum leaves"].value
+        rows.append(
+            (
+                case,
+                f"{sigma:.1f}",
+                f"{ratio * sigma:.1f}",
+                f"{values[f'{case}: correlation of the kinks with the run'].value:+.2f}",
+                f"{100 * values[f'{case}: passages that meet a slack dropper'].value:.0f} %",
+                f"{of_sum.value:.1f}",
+                f"{100 * (1.0 - left):.0f} %",
+            )
+        )
+    head = ("line", "run, σ N", "kinks alone, σ N", "correlation with the run")
+    more = ("slack when passed", "with changes of forces, σ N", "variance explained")
+    return table((*head, *more), rows)
+
+
 def sensitivity_table(cases: Iterable[Any], variants: list[tuple[str, Changes]]) -> str:
     """One row for each variant and speed; a value outside of its range is marked with `!`."""
     keys = [key for key in SHOWN if any(r.key == key for r in next(iter(cases)).ranges)]
@@ -255,7 +282,10 @@ def energy_table() -> str:
 
 QUICK: dict[str, dict[str, Callable[[], str]]] = {
     "en50318-2002": {"ranges": lambda: ranges_table("en50318_2002", EN_CASES)},
-    "ac-simple": {"ranges": lambda: ranges_table("ac_simple", AC_CASES)},
+    "ac-simple": {
+        "ranges": lambda: ranges_table("ac_simple", AC_CASES),
+        "kinks": kinks_table,
+    },
 }
 SLOW: dict[str, dict[str, Callable[[], str]]] = {
     "en50318-2002": {"sensitivity": lambda: sensitivity_table(EN_CASES, en_variants())},

@@ -23,3 +23,8 @@ def table(head: Iterable[str], rows: Iterable[Iterable[object]]) -> str:
     lines = [list(head), *([str(cell) for cell in row] for row in rows)]
     rule = ["---"] * len(lines[0])
     return "\n".join(f"| {' | '.join(line)} |" for line in [lines[0], rule, *lines[1:]])
+
+
+def escaped(text: str) -> str:
+    """Return a text that stays in its cell."""
+    return " ".join(text.replace("|", "\\|").split())

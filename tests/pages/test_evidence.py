@@ -21,3 +21,24 @@ def test_runs_beside_their_limit_are_shown_by_pantograph() -> None:
     assert "| run | 1 | 1 | 75 % | ≤ 1 of its goal | a goal |" in page
     assert "| seed 1 | 1 | 100.0 | +0.00 | 20.0 | +0.50 | 160.0 | -0.25 | 40.0 | +0.75 |" in page
     assert page.count("| 2 | 100.0 |") == 1
+
+
+def test_errors_over_element_length_are_a_line_with_their_order() -> None:
+    evidence = Evidence("test")
+    for size in (0.4, 0.2, 0.1):
+        what = f"error, 275 km/h, chain of {size:g} m"
+        evidence.below(what, 3.0 * size**2, 1.0, unit="mm", reason="a reason")
+    evidence.below("error, 275 km/h, cubic of 0.4 m", 0.25, 1.0, unit="mm", reason="alone")
+    page = evidence_topic.page("limits", [Topic("limits", "x", "X", rows=evidence.rows)])
+    line = "| error, 275 km/h, mm | 0.48 ≤ 1 | 0.12 ≤ 1 | 0.03 ≤ 1 | 2.0 | inside |"
+    assert line in page
+    assert page.count("a reason") == 1
+    assert "| error, 275 km/h, cubic of 0.4 m | 0.25 mm |" in page
+
+
+def test_reach_of_the_evidence_names_topics_and_counts_them() -> None:
+    page = evidence.pages()["index"]
+    rows = [line for line in page.splitlines() if line.startswith("| behind another pantograph")]
+    assert len(rows) == 1
+    assert "Two pantographs on one wire" in rows[0]
+    assert page.index("still not") < page.index("## [Closed forms]")

@@ -81,8 +81,11 @@ def hold(
     evidence: Evidence, family: Family, what: str, values: Sequence[float],
     limits: Sequence[float] | float, *, reason: Sequence[str] | str, unit: str, figure: str = "",
 ) -> None:  # fmt: skip
-    """Hold an error at each size of elements against its limit; with a name, draw it over them."""
-    limits = [limits] * len(values) if isinstance(limits, float) else limits
+    """Hold an error at each size of elements against its limit; with a name, draw it over them.
+
+    A family that lacks the smallest ones takes the limits of the others.
+    """
+    limits = [limits] * len(values) if isinstance(limits, float) else limits[: len(values)]
     reasons = [reason] * len(values) if isinstance(reason, str) else reason
     for size, value, limit, why in zip(family.sizes, values, limits, reasons, strict=True):
         evidence.below(f"{what}, {family.name} of {size:g} m", value, limit, unit=unit, reason=why)

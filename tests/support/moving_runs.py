@@ -14,10 +14,9 @@ from scipy.signal import butter, sosfiltfilt
 from arcless.equilibrium.equilibrium import Equilibrium
 from arcless.model.pantograph.pantograph import Pantograph
 from arcless.simulate.setup import pantographs
-from arcless.simulate.setup.core_data import Excitation, ForceHistory, RecordPlan
+from arcless.simulate.setup.core_data import Excitation, ForceHistory, LoadData, RecordPlan
 from tests.support.families import Family
-from tests.support.straight import Floats, Straight
-from tests.support.waves import Waves
+from tests.support.straight import Floats
 
 KMH = 1.0 / 3.6
 SPEEDS = (275.0 * KMH, 320.0 * KMH)  # m/s
@@ -54,8 +53,11 @@ class Travel:
         """Start and end of each step, s."""
         return STEP * np.arange(round(self.last / STEP) + 1)
 
-    def run(self, line: Equilibrium, forces: Sequence[Floats]) -> "Travelled":
-        """Run, with forces in N on the strips that begin with nothing."""
+    def run(
+        self, line: Equilibrium, forces: Sequence[Floats], *, loads: Sequence[LoadData] = (),
+        nodes: Sequence[int] = (),
+    ) -> "Travelled":  # fmt: skip
+        """Run, with forces in N on the strips that begin with nothing, and loads on the wire."""
         time = self.time
         scheme, corrected = self.family.scheme, not self.family.is_chain
         model = line.core.prepare(
@@ -72,38 +74,41 @@ class Travel:
             positions=self.start + self.speed * time,
             speeds=[self.speed] * len(time),
             friction=0.0,
-            loads=[],
+            loads=list(loads),
             plan=RecordPlan(
-                contact_every=1, line_every=1, links=False, nodes=[], supports=[], points=[],
+                contact_every=1, line_every=1, links=False, nodes=nodes, supports=[], points=[],
                 ledger=False, ledger_every=1,
             ),
             observe=lambda _step: True,
         )  # fmt: skip
         shape = (len(raw["time"]), len(self.strips))
-        return Travelled(raw["time"], raw["height"].reshape(shape), raw["force"].reshape(shape))
+        return Travelled(
+            raw["time"], raw["height"].reshape(shape), raw["force"].reshape(shape),
+            raw["uplift"].reshape(shape[0], -1),
+        )  # fmt: skip
 
 
 @dataclass(frozen=True)
 class Travelled:
-    """Times of balance, s; height of the wire at each strip, m; contact forces, N."""
+    """Times of balance, s; height of the wire at each strip, m; contact forces, N.
+
+    `nodes` is the uplift of those asked for, m.
+    """
 
     time: Floats
     height: Floats
     force: Floats
+    nodes: Floats
 
     def __sub__(self, calm: "Travelled") -> "Travelled":
         """Return the excess of one run over another in which nothing happens."""
         assert min(self.force.min(), calm.force.min()) > 0.0, "a contact is lost"
-        return Travelled(self.time, self.height - calm.height, self.force - calm.force)
+        return Travelled(
+            self.time, self.height - calm.height, self.force - calm.force, self.nodes - calm.nodes
+        )
 
 
 def filtered(values: Floats) -> Floats:
     """Values without what is above 20 Hz, and without delay."""
     sections = butter(SHARP, FILTER, fs=1.0 / STEP, output="sos")
     return np.asarray(sosfiltfilt(sections, values))
-
-
-def along(line: Straight, waves: Waves, speed: float) -> tuple[Waves, float]:
-    """Return wave and speed along a wire that runs across the track as well."""
-    steeper = float(np.hypot(1.0, line.slant or 0.0))
-    return Waves(waves.tension * steeper, waves.density, waves.bending), speed * steeper

@@ -24,6 +24,8 @@ ALONG, UP = 0, 1
 ACROSS, UPWARDS = 1, 2
 # Springs and dampers are one part, and its stiffness must not be zero. In N/m.
 NEARLY_NONE = 1e-9
+# EA of an arm, N: a tube of 42 mm, of which 1 kN stretches 1.2 m by 0.05 mm.
+ARM = 2e7
 
 
 def wire(
@@ -72,6 +74,8 @@ class Straight:
     flexible : with residual flexibility where forces meet the wires
     loose : the ends are held along the track only, not in height
     slant : what wires in space run across the track per metre along it; None in the plane
+    corners : places, m, at which they turn back to the other side, and are held across the track
+    arms : length of the level, hinged arms that pull there, m; None: held without them
     """
 
     def __init__(
@@ -84,10 +88,12 @@ class Straight:
         flexible: bool = False,
         loose: bool = False,
         slant: float | None = None,
+        corners: Sequence[float] = (),
+        arms: float | None = None,
     ) -> None:
         self.x, self.kinds, self.heights = x, kinds, heights
         self.parts, self.lumped, self.fitted = Parts(), lumped or fitted, fitted
-        self.flexible, self.slant = flexible, slant
+        self.flexible, self.slant, self.corners = flexible, slant, corners
         self.up = UP if slant is None else UPWARDS
         self.rows = [self._lay(which, kind) for which, kind in enumerate(kinds)]
         for which, kind in enumerate(kinds):
@@ -98,7 +104,32 @@ class Straight:
                     self.parts.fix(number, self.up)
                 if slant is not None:
                     self.parts.fix(number, ACROSS)
+            for corner in corners:
+                if arms is None:
+                    self.parts.fix(self.node(corner, which), ACROSS)
+                else:
+                    self._pull(corner, which, arms)
             self.parts.add("ends", node=number, force=kind.tension, released=False)
+
+    def across(self) -> tuple[Floats, Floats]:
+        """Return where nodes are across the track, m, and how wires run there, per metre."""
+        turns = np.searchsorted(self.corners, 0.5 * (self.x[:-1] + self.x[1:]))
+        slopes = (self.slant or 0.0) * np.where(turns % 2, -1.0, 1.0)
+        place = np.concatenate([[0.0], np.cumsum(slopes * np.diff(self.x))])
+        both = 0.5 * (np.append(slopes[0], slopes) + np.append(slopes, slopes[-1]))
+        return place - 0.5 * (place.max() + place.min()), both
+
+    def _pull(self, x: float, which: int, length: float) -> None:
+        """Let an arm pull the corner outward: by T times the angle of the corner."""
+        place = float(self.across()[0][int(np.argmin(abs(self.x - x)))])
+        side = float(np.sign(place))
+        pull = 2.0 * self.kinds[which].tension * abs(self.slant or 0.0)
+        self.parts.add(
+            "struts", node=self.node(x, which), direction=(0.0, side, 0.0),
+            anchor=(x, place + side * length, self.heights[which]),
+            rest_length=length / (1.0 + pull / ARM), stiffness=ARM * (1.0 + pull / ARM) / length,
+            moving_mass=0.0, hanging_mass=0.0, adjust=False,
+        )  # fmt: skip
 
     def _lay(self, which: int, kind: Wire) -> list[int]:
         numbers = [i * len(self.kinds) + which for i in range(len(self.x))]
@@ -148,14 +179,16 @@ class Straight:
         positions = np.zeros((count * several, 3))
         positions[:, ALONG] = np.repeat(self.x, several)
         positions[:, self.up] = np.tile(self.heights, count)
-        direction = np.array([1.0, 0.0, 0.0])
+        directions = np.tile([1.0, 0.0, 0.0], (count, 1))
         if self.slant is not None:
-            positions[:, ACROSS] = self.slant * (positions[:, ALONG] - self.x.mean())
-            direction = np.array([1.0, self.slant, 0.0]) / np.hypot(1.0, self.slant)
+            place, slope = self.across()
+            positions[:, ACROSS] = np.repeat(place, several)
+            directions[:, ACROSS] = slope
+            directions /= np.hypot(1.0, slope)[:, None]
         slopes = np.zeros_like(positions)
         if not self.lumped:
             stretches = [wires.stretch(kind) for kind in self.kinds]
-            slopes = np.outer(np.tile(stretches, count), direction)
+            slopes = np.kron(directions, np.array(stretches)[:, None])
         dimension = PLANAR if self.slant is None else SPATIAL
         mesh = mesh_of(dimension, positions, slopes, self.parts, self.rows[0])
         return at_rest(

@@ -35,10 +35,10 @@ from tests.support.moving_runs import (
     PRESSED,
     SPEEDS,
     Travel,
-    along,
     filtered,
 )
 from tests.support.moving_wire import Head, MovingWire, over_time
+from tests.support.plans import IN_PLANE, SLANTED, Plan
 from tests.support.pushing import mass
 from tests.support.python_faults import misled
 from tests.support.straight import Floats
@@ -46,11 +46,10 @@ from tests.support.waves import Waves
 
 END, START, KINK, BEYOND = 172.8, 60.0, 100.8, 14.0  # m
 MASS, CONTACT_STIFFNESS, FORCE = 7.5, 5e4, 6.0  # kg, N/m, N
-SLANT = 0.1
 
 
 def crossed(
-    family: Family, size: float, speed: float, contact: float, slant: float | None = None, *,
+    family: Family, size: float, speed: float, contact: float, plan: Plan = IN_PLANE, *,
     force: float = FORCE,
 ) -> tuple[Floats, Floats, Floats]:  # fmt: skip
     """Return times from the kink, ΔP and the closed form of it."""
@@ -58,13 +57,14 @@ def crossed(
     travel = Travel(family, [mass(MASS)], contact, START, speed, last)
     runs = []
     for pull in (force, 0.0):
-        line = family.line(family.even(END, size), CONTACT, slant=slant)
+        line = plan.lay(family, family.even(END, size), CONTACT)
         if pull:
             line.parts.add("loads", node=line.node(KINK), component=line.up, force=pull)
-        runs.append(travel.run(line.find(), [0.0 * travel.time]))
+        loads = plan.loads(line, KINK, travel.time) if pull else []
+        runs.append(travel.run(line.find(), [0.0 * travel.time], loads=loads))
     found = runs[0] - runs[1]
     time = found.time - (KINK - START) / speed
-    wire, on_it = along(line, family.waves(CONTACT), speed)
+    wire, on_it = plan.along(family.waves(CONTACT), speed)
     more = found.force[:, 0] * FORCE / force
     return time, more, closed_form(wire, on_it, contact, time)
 
@@ -106,13 +106,13 @@ RIGID = (6e-3, 1.5e-3, 5e-4), (1e-2, 2e-3, 1e-3)
 
 
 def check(
-    evidence: Evidence, name: str, speed: float, slant: float | None, drawn: bool = False
+    evidence: Evidence, family: Family, speed: float, plan: Plan, drawn: bool = False
 ) -> None:
-    family, rounded = FAMILIES[name], round(speed / KMH)
-    runs = [crossed(family, size, speed, CONTACT_STIFFNESS, slant) for size in family.sizes]
+    name, rounded = family.name, round(speed / KMH)
+    runs = [crossed(family, size, speed, CONTACT_STIFFNESS, plan) for size in family.sizes]
     curves, peaks = zip(*(apart(*own) for own in runs), strict=True)
     smooth, sharp = LIMITS[name, rounded]
-    what = f"{rounded} km/h{', in space' if slant else ''}"
+    what = f"{rounded} km/h{plan.said}"
     hold(evidence, family, f"ΔP below 20 Hz, {what}", curves, smooth, reason=WHY[name], unit="1")
     hold(evidence, family, f"peak of ΔP, {what}", peaks, sharp, reason=WHY[name] + PEAK, unit="1")
     if not drawn:
@@ -133,12 +133,12 @@ def check(
 @pytest.mark.parametrize("speed", AT_SPEEDS)
 @pytest.mark.parametrize("name", FAMILIES)
 def test_kink(evidence: Evidence, name: str, speed: float) -> None:
-    check(evidence, name, speed, None, drawn=True)
+    check(evidence, FAMILIES[name], speed, IN_PLANE, drawn=True)
 
 
 @pytest.mark.parametrize("name", CHAIN_FIRST)
 def test_kink_in_space(evidence: Evidence, name: str) -> None:
-    check(evidence, name, SPEEDS[0], SLANT)
+    check(evidence, FAMILIES[name], SPEEDS[0], SLANTED)
 
 
 @pytest.mark.parametrize("number", [0, 1])

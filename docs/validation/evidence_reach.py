@@ -1,0 +1,81 @@
+"""Reach of the evidence: lines in space, contacts that move, a pantograph behind another one."""
+
+from dataclasses import dataclass
+
+from validation.runs import table
+
+from arcless.validate.evidence import Topic
+
+HEAD = """## In space, under motion, behind another pantograph
+
+Where the product is used hardest, and how far the checks reach there. A topic may stand in several
+rows.
+"""
+
+
+@dataclass(frozen=True)
+class Reach:
+    """One question to the evidence.
+
+    Attributes
+    ----------
+    where : what is verified
+    topics : the topics of the evidence that do it, each as GROUP/NAME of its record
+    shown : what they show
+    still_not : what none of them shows
+    """
+
+    where: str
+    topics: tuple[str, ...]
+    shown: str
+    still_not: str
+
+
+MOVING = tuple(f"closed_forms/moving_{name}" for name in ("kink", "head", "stiffness", "pair"))
+REACHES = (
+    Reach(
+        "a line in space, at rest",
+        ("conservation/staggered_line", "closed_forms/curve", "closed_forms/bands"),
+        "arms are springs of force over length; wires in curves; stagger beside the planar line",
+        "another program's line in space; published elasticities of a line with stagger",
+    ),
+    Reach(
+        "a line in space, under motion",
+        ("closed_forms/moving_on_stagger", "closed_forms/bands", "conservation/rolling_head",
+         "conservation/mirror", "limits/shipped_scenarios"),
+        "closed forms of the plane hold with stagger while the wire swings aside, at 275 and"
+        " 320 km/h; bands on hinged arms; energy with a head that rolls",
+        "another program's run in space; arms that turn far from where they are at rest; a wire"
+        " with stagger whose tension changes; a measured run",
+    ),
+    Reach(
+        "a contact that moves",
+        (*MOVING, "closed_forms/bands", "closed_forms/superposed_kinks", "closed_forms/doppler",
+         "closed_forms/moving_force_string", "closed_forms/moving_force_beam",
+         "closed_forms/explicit_moving_force", "peers/exudyn_run"),
+        "kink, thrown head, head on a spring, stiffness and trapped mode, waves on springs, each"
+        " over element length, at two speeds and by both families; another program's run",
+        "droppers that go slack, in a closed form that does not take their forces from the run",
+    ),
+    Reach(
+        "behind another pantograph",
+        ("closed_forms/moving_pair", "closed_forms/moving_on_stagger", "conservation/far_apart",
+         "limits/pairs", "references/spacing"),
+        "what the trailing one feels and when, on one wire, also with stagger; shipped lines"
+        " against the limit; the trend over the spacing",
+        "a trailing pantograph in another program, or measured",
+    ),
+)  # fmt: skip
+
+
+def section(topics: list[Topic]) -> str:
+    """Return the section; a topic that is not recorded is an error."""
+    known = {f"{topic.group}/{topic.name}": topic for topic in topics}
+    rows = []
+    for reach in REACHES:
+        own = [known[name] for name in reach.topics]
+        titles = "; ".join(dict.fromkeys(topic.title.partition(",")[0] for topic in own))
+        counts = f"{sum(len(topic.rows) for topic in own)} values, "
+        counts += f"{sum(len(topic.faults) for topic in own)} faults"
+        rows.append([reach.where, f"{reach.shown} ({titles})", counts, reach.still_not])
+    return f"{HEAD}\n{table(['', 'verified by', 'of these', 'still not'], rows)}"
