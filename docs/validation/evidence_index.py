@@ -23,6 +23,7 @@ Longer studies, each with its own text:
 
 - [EN 50318:2002](en50318-2002.md), [AC simple](ac-simple.md), [PRAKS](praks.md): published cases
 - [Convergence](convergence.md) and [of the published method](convergence-published.md)
+- [Modelling choices](modelling-choices.md)
 - [Energy](energy.md)
 - [Shipped lines](lines.md), [library](library.md)
 

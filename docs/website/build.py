@@ -1,0 +1,36 @@
+"""Build the site of the documentation: `python docs/website/build.py [FOLDER]`.
+
+Pages are copied into FOLDER/source with those that the program makes, and Sphinx builds FOLDER/html.
+A warning, a notebook that fails, a link that leads nowhere and anything that a page would load from
+elsewhere end it with 1.
+"""
+
+import sys
+from pathlib import Path
+
+sys.path.append(str(Path(__file__).parents[1]))
+
+from sphinx.cmd.build import build_main
+from website import checks, commands, pages, python, schemas
+
+HERE = Path(__file__).parent
+
+
+def main(folder: Path) -> int:
+    """Build and check the site; return the exit code."""
+    source, html = folder / "source", folder / "html"
+    made = commands.pages() | schemas.pages() | python.pages()
+    pages.stage(pages.Staging(source), made)
+    options = ["--fail-on-warning", "--keep-going", "--nitpicky", "--quiet", "-b", "html"]
+    state = ["-d", str(folder / "doctrees"), "-D", f"nb_execution_cache_path={folder / 'notebooks'}"]
+    code = build_main([*options, *state, "-c", str(HERE), str(source), str(html)])
+    if code:
+        return code
+    complaints = checks.complaints(html)
+    for text in complaints:
+        print(f"make docs: {text}", file=sys.stderr)
+    return int(bool(complaints))
+
+
+if __name__ == "__main__":
+    sys.exit(main(Path(*sys.argv[1:]) if sys.argv[1:] else pages.ROOT / "target" / "docs"))

@@ -1,0 +1,179 @@
+"""Sources of the site: pages of docs, and files of the repository that they link to.
+
+Pages stay plain Markdown in docs. Their copies in the build folder differ in two things: links that
+lead out of docs lead to copies of those files, and each index page gets a table of contents from
+its own links.
+"""
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from pathlib import Path, PurePosixPath
+from posixpath import normpath, relpath
+
+ROOT = Path(__file__).parents[2]
+DOCS = ROOT / "docs"
+# Files outside of docs that are pages of the site under other names.
+PAGES = {"README.md": "index.md", "CHANGELOG.md": "changelog.md", "CONTRIBUTING.md": "contributing.md"}
+INDEX = "index.md"
+LINK = re.compile(r"(?<!\\)\]\(([^()\s]+)\)")
+# Fenced code, indented code after a blank line, inline code: no link stands in it.
+CODE = re.compile(r"^```(?s:.*?)^```$|(?<=\n\n)(?:    .*\n)+|`[^`\n]+`", re.MULTILINE)
+HEADING = re.compile(r"(?=^## )", re.MULTILINE)
+LANGUAGES = {
+    ".py": "python", ".rs": "rust", ".c": "c", ".h": "c", ".m": "matlab", ".yaml": "yaml",
+    ".json": "json",
+}  # fmt: skip
+
+
+def outside_of_code(text: str) -> Iterator[tuple[bool, str]]:
+    """Yield the parts of a page in order: whether each is prose, and its text."""
+    place = 0
+    for code in CODE.finditer(text):
+        yield True, text[place : code.start()]
+        yield False, code[0]
+        place = code.end()
+    yield True, text[place:]
+
+
+def links(text: str) -> list[str]:
+    """Return the targets of all links of a page, in their order."""
+    prose = (part for is_prose, part in outside_of_code(text) if is_prose)
+    return [target for part in prose for target in LINK.findall(part)]
+
+
+def is_inner(target: str) -> bool:
+    """Return whether a link leads to a file of the repository."""
+    return not re.match(r"[a-z]+:|#", target)
+
+
+@dataclass
+class Staging:
+    """Copies of pages in a folder that Sphinx reads.
+
+    Attributes
+    ----------
+    folder
+        Where the copies are.
+    sources
+        Paths in the repository, of files and folders outside of docs, that pages link to.
+    """
+
+    folder: Path
+    sources: set[str] = field(default_factory=set)
+
+    def place(self, path: str) -> str:
+        """Return where a file of the repository is in the site."""
+        if path in PAGES:
+            return PAGES[path]
+        if path.startswith("docs/") and (path.endswith(".md") or (ROOT / path).is_file()):
+            return path.removeprefix("docs/")
+        self.sources.add(path)
+        return f"sources/{path}/{INDEX}" if (ROOT / path).is_dir() else f"sources/{path}.md"
+
+    def linked(self, text: str, path: str) -> str:
+        """Return the text of a file of the repository with links as they are in the site."""
+        here = PurePosixPath(self.place(path)).parent
+
+        def renamed(match: re.Match[str]) -> str:
+            name, hash_sign, anchor = match[1].partition("#")
+            if not is_inner(match[1]) or not name:
+                return match[0]
+            there = self.place(normpath(str(PurePosixPath(path).parent / name)))
+            return f"]({relpath(there, here)}{hash_sign}{anchor})"
+
+        parts = outside_of_code(text)
+        return "".join(LINK.sub(renamed, part) if prose else part for prose, part in parts)
+
+    def write(self, name: str, text: str) -> None:
+        """Write a page of the site, unless it is there as it should be: Sphinx reads it again."""
+        path = self.folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        if not path.exists() or path.read_text("utf-8") != text:
+            path.write_text(text, "utf-8")
+
+
+def contents(text: str, page: str, pages: set[str]) -> str:
+    """Return the tables of contents of an index page: one for each heading that has links.
+
+    An index has the pages of its own folder, and the index pages of all folders below; the first
+    page of the site also has those of the folders of its parts, and what stands alone.
+    """
+    folder = PurePosixPath(page).parent
+    tables, seen = [], {page}
+    for section in HEADING.split(text):
+        entries = []
+        for target in filter(is_inner, links(section)):
+            there = normpath(str(folder / target.partition("#")[0]))
+            parent = PurePosixPath(there).parent
+            own = parent == folder or (there.endswith(INDEX) and parent.parent == folder)
+            if own and there in pages and there not in seen:
+                seen.add(there)
+                entries.append("/" + there.removesuffix(".md"))
+        title = section.partition("\n")[0]
+        caption = [f":caption: {title.removeprefix('## ')}"] if title.startswith("## ") else []
+        if LINK.search(title) or str(folder) == ".":
+            caption = []  # a heading that is a link is the title of that page already
+        if entries:
+            tables.append("\n".join(["```{toctree}", ":hidden:", *caption, "", *entries, "```"]))
+    return "\n\n".join(tables)
+
+
+def stage(staging: Staging, made: dict[str, str]) -> None:
+    """Write the sources of the site.
+
+    Parameters
+    ----------
+    staging
+        Where they are written.
+    made
+        Pages that the program makes, by their place in the site. The text of one that docs has, too,
+        follows that of docs.
+    """
+    texts = {f"docs/{path.relative_to(DOCS).as_posix()}": path for path in DOCS.rglob("*.md")}
+    texts |= {path: ROOT / path for path in PAGES if path != "README.md"}
+    texts = {path: staging.linked(file.read_text("utf-8"), path) for path, file in texts.items()}
+    pages = {staging.place(path): text for path, text in texts.items()}
+    # Links were looked for in the repository; these pages are in the site alone.
+    pages |= {name: f"{pages.get(name, '')}\n{text}".lstrip() for name, text in made.items()}
+    for path in sorted(staging.sources):
+        pages[staging.place(path)] = _source(staging, path)
+    for path in sorted(staging.sources):  # those of folders, too
+        pages.setdefault(staging.place(path), _source(staging, path))
+    for name, text in pages.items():
+        if PurePosixPath(name).name == INDEX and not name.startswith("sources/"):
+            text = f"{text}\n\n{contents(text, name, set(pages))}\n"  # noqa: PLW2901
+        staging.write(name, text)
+    _copy_files(staging)
+    gone = {path.relative_to(staging.folder).as_posix() for path in staging.folder.rglob("*.md")}
+    for name in gone - set(pages):
+        (staging.folder / name).unlink()
+
+
+def _source(staging: Staging, path: str) -> str:
+    """Return the page of a file of the repository, or the list of those in a folder."""
+    head = "---\norphan: true\nnosearch: true\n---\n\n"
+    file = ROOT / path
+    if file.is_dir():
+        listed = sorted(p for p in file.iterdir() if p.is_file() and p.suffix in LANGUAGES)
+        for one in listed:
+            staging.place(f"{path}/{one.name}")
+        rows = [f"- [{one.name}]({one.name}.md)" for one in listed]
+        return "\n".join([f"{head}# `{path}`\n", *rows, ""])
+    language = LANGUAGES.get(file.suffix, "text")
+    return f"{head}# `{path}`\n\n~~~~~{language}\n{file.read_text('utf-8').rstrip()}\n~~~~~\n"
+
+
+def _copy_files(staging: Staging) -> None:
+    """Copy pictures, and files of docs that pages link to."""
+    wanted = [p for p in (DOCS / "images").rglob("*") if p.suffix in (".svg", ".webp", ".png")]
+    for page in DOCS.rglob("*.md"):
+        for target in filter(is_inner, links(page.read_text("utf-8"))):
+            file = (page.parent / target.partition("#")[0]).resolve()
+            if file.is_file() and file.is_relative_to(DOCS) and file.suffix != ".md":
+                wanted.append(file)
+    for file in wanted:
+        copy = staging.folder / file.relative_to(DOCS)
+        copy.parent.mkdir(parents=True, exist_ok=True)
+        if not copy.exists() or copy.read_bytes() != file.read_bytes():
+            copy.write_bytes(file.read_bytes())
