@@ -22,7 +22,8 @@ def main(folder: Path) -> int:
     made = commands.pages() | schemas.pages() | python.pages()
     pages.stage(pages.Staging(source), made)
     options = ["--fail-on-warning", "--keep-going", "--nitpicky", "--quiet", "-b", "html"]
-    state = ["-d", str(folder / "doctrees"), "-D", f"nb_execution_cache_path={folder / 'notebooks'}"]
+    notebooks = f"nb_execution_cache_path={folder / 'notebooks'}"
+    state = ["-d", str(folder / "doctrees"), "-D", notebooks]
     code = build_main([*options, *state, "-c", str(HERE), str(source), str(html)])
     if code:
         return code
