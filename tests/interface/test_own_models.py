@@ -1,4 +1,4 @@
-"""`arcless show` and `arcless new`: shipped models as text, and models of one's own."""
+"""`arcless show` and `arcless new`: shipped models as text, and own models."""
 
 import json
 from collections.abc import Callable

@@ -261,7 +261,9 @@ def _compute(
         except KeyboardInterrupt:
             _wait_for_end(_LEAVES_WITHIN_S[chosen.kind])
             if not quiet:
-                console.note(f"rows so far: {place.table}; go on with `{place.command('resume')}`")
+                console.note(
+                    f"rows so far: {place.table}; continue with `{place.command('resume')}`"
+                )
             raise
     facts = study_texts.facts_of(loaded, place, done)
     front = study_texts.front_of(loaded, place)

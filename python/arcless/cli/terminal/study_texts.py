@@ -51,7 +51,7 @@ def show_front(loaded: "Study", front: "list[Row] | None") -> None:
     if front is None:
         return
     if not front:
-        console.data("best: no variant that keeps the constraints")
+        console.data("best: no variant that meets the constraints")
     for row in front[:_MOST_SHOWN]:
         console.data(f"best: variant {row.variant}: {_in_words(loaded, row)}")
     if len(front) > _MOST_SHOWN:

@@ -60,8 +60,8 @@ def html(study: Study, folder: Path | None = None) -> str:
 
 
 SELECTS = (
-    "Drag a box to select variants, or click one: they stay selected in all figures and in the"
-    " table; a click on empty ground takes it back."
+    "Drag a box or click to select variants in all figures and in the table. Click empty space to"
+    " clear the selection."
 )
 
 

@@ -159,7 +159,7 @@ Refused = Callable[..., str]
         (
             "stiffness: 200 kN/m",
             "stiffness: {value: 200 kN/m, mark: A, note: soft, old}",
-            'line.yaml:14: dropper.stiffness.old: unknown field beside a value: got "old",'
+            'line.yaml:14: dropper.stiffness.old: unknown field next to a value: got "old",'
             " expected value, mark, source, note; hint: write a note that contains a comma in"
             " quotes",
         ),

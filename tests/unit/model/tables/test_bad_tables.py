@@ -64,7 +64,7 @@ def whole(text: str) -> Change:
         ("spans", swap("span,type", '"span,type'), "row ", "is a quotation mark open?"),
         # Cells.
         ("spans", swap("3,standard,60.0", "3,standard,sixty"),
-         "row 4, column length", "write a number such as 1.5; its unit stands in the header"),
+         "row 4, column length", "write a number such as 1.5; its unit is in the header"),
         ("spans", swap("3,standard,60.0", "3,standard,60 m"),
          "row 4, column length", "a unit in a cell: got \"60 m\", expected a number in m; hint: the"
          " unit stands in the header: write 60"),
@@ -73,7 +73,7 @@ def whole(text: str) -> Change:
         ("spans", swap("3,standard,60.0", "3,standard,60 kN"),
          "row 4, column length", "kN is the unit of a force"),
         ("spans", swap("3,standard,60.0", "3,standard,4 ft 8 in"),
-         "row 4, column length", "write a number such as 1.5; its unit stands in the header"),
+         "row 4, column length", "write a number such as 1.5; its unit is in the header"),
         ("spans", swap("3,standard,60.0", "3,standard,"), "row 4, column length", "empty cell"),
         ("spans", swap("3,standard,60.0", "3,standard"), "row 4, column length", "empty cell"),
         ("spans", swap("3,standard,60.0", "3,standard,60,5"), "row 4, column 4", "with a comma?"),

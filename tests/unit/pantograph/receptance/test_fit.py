@@ -72,7 +72,7 @@ def test_what_a_user_should_know() -> None:
     above = fits.of_arrays(FREQUENCIES, noisy(stiff.receptance(FREQUENCIES), 0.01, 1))
     assert "the model has a mode at" in " ".join(fits.remarks(fits.fit(above, 3)))
     soft = fits.fit(measured("faiveley-cx", 0.05), 3)
-    assert "cannot be told from none" in " ".join(fits.remarks(soft))
+    assert "cannot be distinguished from none" in " ".join(fits.remarks(soft))
     assert not fits.remarks(fits.fit(measured("ac-simple"), 3))
 
 

@@ -1,4 +1,4 @@
-"""`arcless show` and `arcless new`: shipped models as text, and models of one's own."""
+"""`arcless show` and `arcless new`: shipped models as text, and own models."""
 
 from pathlib import Path
 from typing import Annotated
@@ -62,7 +62,7 @@ def new(
         ),
     ] = None,
 ) -> None:
-    """Begin a model of one's own with a shipped one.
+    """Create a model of your own from a shipped one.
 
     NAME.yaml is written with all comments and sources, of a scenario also its line,
     NAME-line.yaml, and arcless.schema.json, by which an editor knows fields and units. No file is
