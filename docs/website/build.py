@@ -1,10 +1,12 @@
 """Build the site of the documentation: `python docs/website/build.py [FOLDER]`.
 
-Pages are copied into FOLDER/source with those that the program makes, and Sphinx builds FOLDER/html.
-A warning, a notebook that fails, a link that leads nowhere and anything that a page would load from
-elsewhere end it with 1.
+Pages are copied into FOLDER/source with those that the program makes, and Sphinx builds
+FOLDER/html. A warning, a notebook that fails, a link that leads nowhere and anything that a page
+would load from elsewhere end it with 1.
 """
 
+import json
+import os
 import sys
 from pathlib import Path
 
@@ -14,6 +16,18 @@ from sphinx.cmd.build import build_main
 from website import checks, commands, pages, python, schemas
 
 HERE = Path(__file__).parent
+# Kernels say in a warning that they talk by TCP, which on one machine is no news.
+ONLY_ERRORS = "--log-level=40"
+
+
+def kernel(folder: Path) -> None:
+    """Have notebooks run by this Python, whatever kernel a user has installed as `python3`."""
+    command = [sys.executable, "-m", "ipykernel_launcher", "-f", "{connection_file}", ONLY_ERRORS]
+    specification = {"argv": command, "display_name": "Python 3", "language": "python"}
+    path = folder / "jupyter" / "kernels" / "python3" / "kernel.json"
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(json.dumps(specification), "utf-8")
+    os.environ["JUPYTER_PATH"] = str(folder / "jupyter")
 
 
 def main(folder: Path) -> int:
@@ -21,6 +35,7 @@ def main(folder: Path) -> int:
     source, html = folder / "source", folder / "html"
     made = commands.pages() | schemas.pages() | python.pages()
     pages.stage(pages.Staging(source), made)
+    kernel(folder)
     options = ["--fail-on-warning", "--keep-going", "--nitpicky", "--quiet", "-b", "html"]
     notebooks = f"nb_execution_cache_path={folder / 'notebooks'}"
     state = ["-d", str(folder / "doctrees"), "-D", notebooks]

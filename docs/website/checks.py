@@ -8,13 +8,14 @@ from urllib.parse import unquote
 
 # Attributes by which a browser loads a file; a link to another site is loaded by a click only.
 LOADING = {"src", "srcset", "poster", "data", "background", "formaction"}
-LOADING_LINKS = {"stylesheet", "icon", "preload", "prefetch", "modulepreload", "preconnect", "manifest"}
+LOADING_LINKS = {
+    "stylesheet", "icon", "preload", "prefetch", "modulepreload", "preconnect", "manifest",
+}  # fmt: skip
 ELSEWHERE = re.compile(r"^\s*(?:[a-z]+:)?//", re.IGNORECASE)
 # Addresses in style sheets, and requests that a script names.
 IN_STYLE = re.compile(r"(?:url\(|@import)\s*[\"']?\s*((?:https?:)?//[^\s\"')]+)", re.IGNORECASE)
-IN_SCRIPT = re.compile(
-    r"(?:fetch|import|importScripts|XMLHttpRequest|\.src\s*=|\.open)\s*\(?\s*[\"'`](https?://[^\"'`]+)"
-)
+REQUEST = r"(?:fetch|import|importScripts|\.src\s*=|\.open)\s*\(?\s*"
+IN_SCRIPT = re.compile(REQUEST + r"[\"'`]((?:https?:)?//[^\"'`]+)")
 
 
 class Page(HTMLParser):
@@ -43,8 +44,9 @@ class Page(HTMLParser):
 
     def handle_data(self, data: str) -> None:
         """Keep addresses in style sheets and scripts that stand in the page."""
-        if self.cdata_elem in ("style", "script"):
-            self.loaded += IN_STYLE.findall(data) + IN_SCRIPT.findall(data)
+        patterns = {"style": IN_STYLE, "script": IN_SCRIPT}
+        if pattern := patterns.get(self.cdata_elem or ""):
+            self.loaded += pattern.findall(data)
 
 
 def complaints(folder: Path) -> list[str]:

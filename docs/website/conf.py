@@ -16,7 +16,7 @@ sys.path.append(str(HERE))
 
 project = "Arcless"
 author = "the authors of Arcless"
-copyright = author  # noqa: A001 - the name that Sphinx reads
+copyright = author
 version = release = arcless.__version__
 language = "en"
 
@@ -30,14 +30,14 @@ root_doc = "index"
 smartquotes = False  # options begin with two hyphens
 highlight_language = "none"  # equations are indented text
 nitpicky = True
-# Types of other packages have no pages here: to find them, a network would be needed.
-nitpick_ignore_regex = [("py:.*", r".*")]
-keep_warnings = True
+# Names in backticks in docstrings are links where they are public names, and code elsewhere.
+default_role = "py:obj"
+nitpick_ignore_regex = [("py:obj", r".*"), ("py:.*", r"(?!arcless\b).*")]
 
 myst_enable_extensions = ["dollarmath"]
 myst_heading_anchors = 4
 myst_dmath_double_inline = False
-suppress_warnings = ["myst.header", "docutils"]
+suppress_warnings = ["myst.header"]  # generated pages begin where others end
 
 nb_execution_mode = "cache"
 nb_execution_in_temp = True

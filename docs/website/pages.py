@@ -14,9 +14,14 @@ from posixpath import normpath, relpath
 ROOT = Path(__file__).parents[2]
 DOCS = ROOT / "docs"
 # Files outside of docs that are pages of the site under other names.
-PAGES = {"README.md": "index.md", "CHANGELOG.md": "changelog.md", "CONTRIBUTING.md": "contributing.md"}
+PAGES = {
+    "README.md": "index.md",
+    "CHANGELOG.md": "changelog.md",
+    "CONTRIBUTING.md": "contributing.md",
+}
 INDEX = "index.md"
 LINK = re.compile(r"(?<!\\)\]\(([^()\s]+)\)")
+NAMED_LINK = re.compile(r"\[([^][]+)\]\(([^()\s:]+)\)")
 # Fenced code, indented code after a blank line, inline code: no link stands in it.
 CODE = re.compile(r"^```(?s:.*?)^```$|(?<=\n\n)(?:    .*\n)+|`[^`\n]+`", re.MULTILINE)
 HEADING = re.compile(r"(?=^## )", re.MULTILINE)
@@ -96,24 +101,26 @@ class Staging:
 def contents(text: str, page: str, pages: set[str]) -> str:
     """Return the tables of contents of an index page: one for each heading that has links.
 
-    An index has the pages of its own folder, and the index pages of all folders below; the first
-    page of the site also has those of the folders of its parts, and what stands alone.
+    An index has the pages of its own folder, and the index pages of the folders below. The first
+    page of the site names its parts by the words of its links.
     """
     folder = PurePosixPath(page).parent
+    is_first = str(folder) == "."
     tables, seen = [], {page}
     for section in HEADING.split(text):
         entries = []
-        for target in filter(is_inner, links(section)):
+        for words, target in NAMED_LINK.findall(section):
             there = normpath(str(folder / target.partition("#")[0]))
             parent = PurePosixPath(there).parent
             own = parent == folder or (there.endswith(INDEX) and parent.parent == folder)
             if own and there in pages and there not in seen:
                 seen.add(there)
-                entries.append("/" + there.removesuffix(".md"))
+                place = "/" + there.removesuffix(".md")
+                entries.append(f"{words} <{place}>" if is_first else place)
         title = section.partition("\n")[0]
-        caption = [f":caption: {title.removeprefix('## ')}"] if title.startswith("## ") else []
-        if LINK.search(title) or str(folder) == ".":
-            caption = []  # a heading that is a link is the title of that page already
+        # A heading that is a link is the title of that page already.
+        named = title.startswith("## ") and not LINK.search(title) and not is_first
+        caption = [f":caption: {title.removeprefix('## ')}"] if named else []
         if entries:
             tables.append("\n".join(["```{toctree}", ":hidden:", *caption, "", *entries, "```"]))
     return "\n\n".join(tables)
@@ -127,8 +134,8 @@ def stage(staging: Staging, made: dict[str, str]) -> None:
     staging
         Where they are written.
     made
-        Pages that the program makes, by their place in the site. The text of one that docs has, too,
-        follows that of docs.
+        Pages that the program makes, by their place in the site. Where docs has a page at this
+        place, the text follows its text.
     """
     texts = {f"docs/{path.relative_to(DOCS).as_posix()}": path for path in DOCS.rglob("*.md")}
     texts |= {path: ROOT / path for path in PAGES if path != "README.md"}

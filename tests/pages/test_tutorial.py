@@ -1,5 +1,6 @@
 """The tutorial: its commands run in the order of its pages, and print what is shown."""
 
+import itertools
 import re
 import shlex
 import shutil
@@ -95,7 +96,7 @@ def test_the_tutorial(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_the_next_step_of_each_page_is_the_next_page() -> None:
     texts = {page: (FOLDER / f"{page}.md").read_text("utf-8") for page in PAGES}
-    for page, follower in zip(PAGES, PAGES[1:], strict=False):
+    for page, follower in itertools.pairwise(PAGES):
         assert re.search(rf"^Next: \[[^]]*\]\({follower}\.md\)\.$", texts[page], re.M), page
 
 
