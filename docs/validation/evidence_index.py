@@ -26,6 +26,7 @@ Longer studies, each with its own text:
 - [Modelling choices](modelling-choices.md)
 - [Energy](energy.md)
 - [Shipped lines](lines.md), [library](library.md)
+- [Two pantographs on every line](spacing.md)
 
 ## What else is tested
 

@@ -14,6 +14,7 @@ from tests.prose.words import unusual
 LONGEST = 32
 SEMICOLONS = 1
 SENTENCE_END = re.compile(r"(?<=[.!?])\s+(?=[A-ZÄÖÜΑ-ω0-9`\"([*+±])")
+WORD = re.compile(r"[^\W\d_]{2}")
 STOP = re.compile(r"(?<=[:;])\s+")
 # A heading is a noun or an instruction, not a clause.
 CLAUSE = re.compile(r"(What|Who|Whose|Why|Where|When|Whether)\b(?!.*\?$)")
@@ -62,8 +63,8 @@ def long_sentences(line: int, text: str) -> Found:
 
 
 def words(text: str) -> int:
-    """Return the number of words that have a letter or a digit."""
-    return sum(any(character.isalnum() for character in word) for word in text.split())
+    """Return the number of words; numbers and the symbols of formulas are none."""
+    return sum(WORD.search(word) is not None for word in text.split())
 
 
 def in_page(path: Path) -> Found:

@@ -93,7 +93,7 @@ def check_carried(line: Line, gravity: float) -> None:
                 got=f"{deep.given}: over {deep.apart:g} m it would sag by some {deep.sag:.3g} m",
                 expected="a small part of that",
                 hint=_unit_meant(line, deep)
-                or "check its unit (N for kN?), at the mass of the wire, and at the spans",
+                or "check its unit (N for kN?), the mass of the wire, and the spans",
             )
 
 

@@ -20,6 +20,7 @@ from arcless.study.report.figures.scatters import (
 )
 from arcless.study.report.figures.speeds import SpeedMarks, marks
 from arcless.study.report.sensitivity import sections
+from arcless.study.report.spacing import spacing_texts
 
 Groups = list[tuple[Column | None, list[Figure]]]
 
@@ -81,6 +82,7 @@ def study_content(record: Record) -> StudyContent:
     texts = {
         **_texts(record),
         **_speeds(speeds),
+        "spacing": spacing_texts(record) if record.done else [],
         "verdict": summary.headline(record, verdicts),
         "ranges": [] if canvas is None else summary.ranges(canvas),
         "criteria": criteria,

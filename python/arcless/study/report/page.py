@@ -89,6 +89,7 @@ def _contents(texts: dict[str, Any]) -> list[tuple[str, str]]:
         (done, "criteria", "Criteria"),
         (done, "outputs", "Outputs"),
         *((True, *one) for one in figures),
+        (texts["spacing"], "spacing", "Spacing of pantographs"),
         (texts["speeds"] or texts["speed_notes"], "speeds", "Resonance speeds"),
         (texts["sensitivity"], "sensitivity", "Sensitivity"),
         (texts["best"] is not None, "best", "Best variants"),

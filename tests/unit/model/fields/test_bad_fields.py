@@ -303,7 +303,7 @@ def test_line(refused: Refused, old: str, new: str, message: str) -> None:
             "solver: {kinematics: updated}\noutput: {energy: always}\nspeed:",
             "scenario.yaml:7: output.energy: no energy balance with updated kinematics: got always,"
             " expected auto or never, or solver.kinematics linearised; hint: stiffness that is"
-            " formed anew in each step belongs to no stored energy",
+            " formed again in each step belongs to no stored energy",
         ),
         (
             "speed:",

@@ -67,7 +67,7 @@ def whole(text: str) -> Change:
          "row 4, column length", "write a number such as 1.5; its unit is in the header"),
         ("spans", swap("3,standard,60.0", "3,standard,60 m"),
          "row 4, column length", "a unit in a cell: got \"60 m\", expected a number in m; hint: the"
-         " unit stands in the header: write 60"),
+         " unit is in the header: write 60"),
         ("spans", swap("3,standard,60.0", "3,standard,61500 mm"),
          "row 4, column length", "write 61.5"),
         ("spans", swap("3,standard,60.0", "3,standard,60 kN"),

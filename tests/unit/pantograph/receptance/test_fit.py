@@ -119,7 +119,7 @@ def test_a_fit_that_misses_is_none() -> None:
     data = measured("ac-simple", frequency=FEW)
     with pytest.raises(FitError, match=r"the fit misses the data: got a misfit of 37\.\d %") as one:
         fits.fit(data, 1)
-    assert "ask for one mass more" in str(one.value)
+    assert "use one mass more" in str(one.value)
     assert fits.fit(data, 1, largest_misfit="50 %").misfit > 0.3
     radians = fits.of_arrays(FEW, np.abs(data.values) * np.exp(1j * np.radians(
         np.angle(data.values))))  # fmt: skip
