@@ -34,9 +34,11 @@ def main(folder: Path) -> int:
     """Build and check the site; return the exit code."""
     source, html = folder / "source", folder / "html"
     made = commands.pages() | schemas.pages() | python.pages()
-    pages.stage(pages.Staging(source), made)
+    staging = pages.Staging(source)
+    pages.stage(staging, made)
     kernel(folder)
-    options = ["--fail-on-warning", "--keep-going", "--nitpicky", "--quiet", "-b", "html"]
+    every = ["--write-all"] if staging.index_changed else []
+    options = [*every, "--fail-on-warning", "--keep-going", "--nitpicky", "--quiet", "-b", "html"]
     notebooks = f"nb_execution_cache_path={folder / 'notebooks'}"
     state = ["-d", str(folder / "doctrees"), "-D", notebooks]
     code = build_main([*options, *state, "-c", str(HERE), str(source), str(html)])

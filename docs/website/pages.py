@@ -25,6 +25,7 @@ NAMED_LINK = re.compile(r"\[([^][]+)\]\(([^()\s:]+)\)")
 # Fenced code, indented code after a blank line, inline code: no link stands in it.
 CODE = re.compile(r"^```(?s:.*?)^```$|(?<=\n\n)(?:    .*\n)+|`[^`\n]+`", re.MULTILINE)
 HEADING = re.compile(r"(?=^## )", re.MULTILINE)
+DATA = (".csv",)  # is downloaded, not shown
 LANGUAGES = {
     ".py": "python", ".rs": "rust", ".c": "c", ".h": "c", ".m": "matlab", ".yaml": "yaml",
     ".json": "json",
@@ -62,10 +63,13 @@ class Staging:
         Where the copies are.
     sources
         Paths in the repository, of files and folders outside of docs, that pages link to.
+    index_changed
+        Whether an index page was written: the navigation of all pages follows from those.
     """
 
     folder: Path
     sources: set[str] = field(default_factory=set)
+    index_changed: bool = False
 
     def place(self, path: str) -> str:
         """Return where a file of the repository is in the site."""
@@ -74,6 +78,8 @@ class Staging:
         if path.startswith("docs/") and (path.endswith(".md") or (ROOT / path).is_file()):
             return path.removeprefix("docs/")
         self.sources.add(path)
+        if PurePosixPath(path).suffix in DATA:
+            return f"sources/{path}"
         return f"sources/{path}/{INDEX}" if (ROOT / path).is_dir() else f"sources/{path}.md"
 
     def linked(self, text: str, path: str) -> str:
@@ -96,6 +102,7 @@ class Staging:
         path.parent.mkdir(parents=True, exist_ok=True)
         if not path.exists() or path.read_text("utf-8") != text:
             path.write_text(text, "utf-8")
+            self.index_changed |= path.name == INDEX
 
 
 def contents(text: str, page: str, pages: set[str]) -> str:
@@ -143,10 +150,13 @@ def stage(staging: Staging, made: dict[str, str]) -> None:
     pages = {staging.place(path): text for path, text in texts.items()}
     # Links were looked for in the repository; these pages are in the site alone.
     pages |= {name: f"{pages.get(name, '')}\n{text}".lstrip() for name, text in made.items()}
-    for path in sorted(staging.sources):
-        pages[staging.place(path)] = _source(staging, path)
-    for path in sorted(staging.sources):  # those of folders, too
-        pages.setdefault(staging.place(path), _source(staging, path))
+    todo = set(staging.sources)
+    while todo:  # a folder adds its files
+        for path in todo:
+            if PurePosixPath(path).suffix not in DATA:
+                pages[staging.place(path)] = _source(staging, path)
+        todo = {path for path in staging.sources - todo if staging.place(path) not in pages}
+        todo -= {path for path in todo if PurePosixPath(path).suffix in DATA}
     for name, text in pages.items():
         if PurePosixPath(name).name == INDEX and not name.startswith("sources/"):
             text = f"{text}\n\n{contents(text, name, set(pages))}\n"  # noqa: PLW2901
@@ -173,14 +183,17 @@ def _source(staging: Staging, path: str) -> str:
 
 def _copy_files(staging: Staging) -> None:
     """Copy pictures, and files of docs that pages link to."""
-    wanted = [p for p in (DOCS / "images").rglob("*") if p.suffix in (".svg", ".webp", ".png")]
+    pictures = [p for p in (DOCS / "images").rglob("*") if p.suffix in (".svg", ".webp", ".png")]
+    wanted = {file: staging.folder / file.relative_to(DOCS) for file in pictures}
     for page in DOCS.rglob("*.md"):
         for target in filter(is_inner, links(page.read_text("utf-8"))):
             file = (page.parent / target.partition("#")[0]).resolve()
             if file.is_file() and file.is_relative_to(DOCS) and file.suffix != ".md":
-                wanted.append(file)
-    for file in wanted:
-        copy = staging.folder / file.relative_to(DOCS)
+                wanted[file] = staging.folder / file.relative_to(DOCS)
+    for path in staging.sources:
+        if PurePosixPath(path).suffix in DATA:
+            wanted[ROOT / path] = staging.folder / staging.place(path)
+    for file, copy in wanted.items():
         copy.parent.mkdir(parents=True, exist_ok=True)
         if not copy.exists() or copy.read_bytes() != file.read_bytes():
             copy.write_bytes(file.read_bytes())

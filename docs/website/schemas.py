@@ -92,8 +92,9 @@ def _default(schema: Schema) -> str:
 def _kind(schema: Schema) -> str:
     """Return in words what a field takes."""
     kinds = list(dict.fromkeys(_kinds(schema)))
-    unit = f", in {schema['unit']} without a unit" if "unit" in schema else ""
-    return " or ".join(kinds) + unit
+    if unit := schema.get("unit"):
+        kinds = [kind.replace("number", f"number of {unit}") for kind in kinds]
+    return " or ".join(kinds)
 
 
 def _kinds(schema: Schema) -> Iterator[str]:
@@ -121,7 +122,8 @@ def _kinds(schema: Schema) -> Iterator[str]:
         yield f"table of {of}" if of else "table"
     elif schema.get("type") != "null":
         limits = [f"{sign} {schema[key]:g}" for key, sign in LIMITS.items() if key in schema]
-        yield " ".join([schema.get("type", "any value"), *limits])
+        kind = schema.get("type", "any value")
+        yield f"{kind} ({', '.join(limits)})" if limits else kind
 
 
 def _name(reference: str) -> str:

@@ -62,7 +62,7 @@ def test_every_command_type_and_public_name_has_its_place() -> None:
         assert re.search(rf"^### `arcless {command}(?: .*)?`$", options, re.M), command
     types = schemas.pages()
     assert {f"{schemas.FOLDER}/{name}.md" for name in ("Line", "Scenario", "Study")} <= set(types)
-    assert "in m without a unit" in types[f"{schemas.FOLDER}/Geometry.md"]
+    assert "number of m (" in types[f"{schemas.FOLDER}/Geometry.md"]
     top = python.pages()[f"{python.FOLDER}/arcless.md"]
     for name in arcless.__all__:
         thing = getattr(arcless, name)
