@@ -62,6 +62,7 @@ html_static_path = [str(HERE / "static")]
 html_css_files = ["site.css"]
 html_show_sourcelink = False
 html_copy_source = False
+html_context = {"default_mode": "auto"}
 html_math_renderer = "mathml"
 html_theme_options: dict[str, Any] = {
     "header_links_before_dropdown": 6,
@@ -71,7 +72,7 @@ html_theme_options: dict[str, Any] = {
     "navigation_with_keys": False,
     "show_prev_next": False,
     "footer_start": ["copyright"],
-    "footer_end": ["sphinx-version"],
+    "footer_end": [],
     "secondary_sidebar_items": ["page-toc"],
 }
 html_sidebars = {"sources/**": []}
