@@ -42,7 +42,8 @@ suppress_warnings = ["myst.header"]  # generated pages begin where others end
 
 nb_execution_mode = "cache"
 nb_execution_in_temp = True
-nb_execution_raise_on_error = True
+# A cell that fails is a warning with its traceback; `build.py` takes every warning for an error.
+nb_execution_raise_on_error = False
 nb_execution_timeout = 300
 nb_merge_streams = True
 nb_execution_show_tb = True
