@@ -4,7 +4,7 @@
 SHELL := /bin/sh
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help build demo test peers evidence pages fuzz golden lint bench counts page pictures wheel windows fmu arm clean \
+.PHONY: help build demo test peers evidence pages docs fuzz golden lint bench counts page pictures wheel windows fmu arm clean \
 	check-python check-rust
 
 VENV := .venv
@@ -123,8 +123,12 @@ counts: ## count the instructions of a step under valgrind; RENEW=1 stores them
 page: build ## build the page of the studio, which the wheel has: TypeScript and Vite on Node from PyPI
 	@$(BIN)/python -m page.build
 
-pictures: page ## take the pictures of the guide to the studio anew, in Chromium
+pictures: page ## take the pictures of the studio and of a report, in Chromium
 	@$(BIN)/python docs/make_studio.py
+	@$(BIN)/python docs/make_report.py
+
+docs: build ## build the site of the documentation in target/docs/html; a warning or a broken link fails
+	@$(BIN)/python docs/website/build.py
 
 wheel: page ## make dist/arcless-*.whl for Linux of glibc 2.28, and try it in an empty environment
 	@rm -f dist/arcless-*-manylinux*_x86_64.whl
@@ -180,7 +184,7 @@ $(VENV)/.packages: pyproject.toml
 	@"$(BIN)/python" -c '' 2>/dev/null \
 	|| { echo 'Making the environment in $(VENV)'; "$(PYTHON)" -m venv --clear $(VENV); }
 	@$(BIN)/python -c 'import tomllib; t = tomllib.load(open("pyproject.toml", "rb")); p = t["project"]; \
-	print(*t["build-system"]["requires"], *p["dependencies"], *(n for g in ("study", "dev") \
+	print(*t["build-system"]["requires"], *p["dependencies"], *(n for g in ("study", "dev", "docs") \
 	for n in p["optional-dependencies"][g]), sep="\n")' \
 	> $(VENV)/requirements.txt
 	@mkdir -p target

@@ -19,6 +19,7 @@ from arcless.study.optimisation.constraints import FALLING, RISING
 from arcless.units import KINDS, spell
 
 README = Path(__file__).parents[2] / "README.md"
+COMMANDS = DOCS / "reference/commands.md"
 
 
 def complaints() -> Iterator[str]:
@@ -26,16 +27,18 @@ def complaints() -> Iterator[str]:
     for page, names in (
         (DOCS / "reference/model-files.md", _of_models()),
         (DOCS / "reference/study-files.md", _of_studies()),
-        (README, (f"arcless {command}" for command in commands())),
+        (COMMANDS, (f"arcless {command}" for command in commands())),
     ):
         text = page.read_text(encoding="utf-8")
         for name in dict.fromkeys(names):
             # A command may have arguments.
             if f"`{name}`" not in text and f"`{name} " not in text:
                 yield f"{page.name} does not name `{name}`"
-    named = set(re.findall(r"`?arcless ([a-z]+(?:-[a-z]+)*)", README.read_text(encoding="utf-8")))
-    for command in sorted(named - commands()):
-        yield f"{README.name}: there is no command `arcless {command}`"
+    for page in (README, COMMANDS):
+        text = page.read_text(encoding="utf-8")
+        named = set(re.findall(r"(?:`|bin/)arcless ([a-z]+(?:-[a-z]+)*)", text))
+        for command in sorted(named - commands()):
+            yield f"{page.name}: there is no command `arcless {command}`"
 
 
 def commands() -> set[str]:

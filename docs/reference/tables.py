@@ -1,10 +1,26 @@
 """Tables of reference pages and guides that the program itself has."""
 
 from arcless.assess.criteria import markdown_table
-from arcless.dataset.schema import markdown_tables
+from arcless.control.laws import FORMAT as LAW_FORMAT
+from arcless.dataset.schema import RESULT_FORMAT, markdown_tables
 from arcless.figures.run import FIGURES
-from arcless.model import MARKS
+from arcless.model import MARKS, Line, Pantograph, Scenario
+from arcless.simulate.runs.checkpoint import STATE_FORMAT
+from arcless.study import Study
 from arcless.units import KINDS, spell
+
+FORMATS = {
+    **{
+        what: str(model.model_fields["format"].default)
+        for what, model in {
+            "line": Line, "pantograph": Pantograph, "scenario, and variant of one": Scenario,
+            "study": Study,
+        }.items()
+    },
+    "result": RESULT_FORMAT,
+    "state of a run": STATE_FORMAT,
+    "learned law of a controller": LAW_FORMAT,
+}  # fmt: skip
 
 
 def marks() -> str:
@@ -30,7 +46,14 @@ def figure_keys() -> str:
     return "\n".join(["| key | shows |", "|---|---|", *rows])
 
 
+def formats() -> str:
+    """Return what each format of files is, and the version that is written."""
+    rows = [f"| {what} | `{name}` |" for what, name in FORMATS.items()]
+    return "\n".join(["| file | format that is written and read |", "|---|---|", *rows])
+
+
 QUICK = {
+    "reference/versions": {"formats": formats},
     "reference/model-files": {"marks": marks, "units": units},
     "reference/results": {"contents": markdown_tables},
     "guide/figures": {"keys": figure_keys},

@@ -25,8 +25,10 @@ Longer studies, each with its own text:
 - [EN 50318:2002](en50318-2002.md), [AC simple](ac-simple.md), [PRAKS](praks.md): published cases
 - [AC simple in space, in two programs](in-space.md): both families of elements, and those of Exudyn
 - [Convergence](convergence.md) and [of the published method](convergence-published.md)
+- [Modelling choices](modelling-choices.md)
 - [Energy](energy.md)
 - [Shipped lines](lines.md), [library](library.md)
+- [Two pantographs on every line](spacing.md)
 
 ## What else is tested
 
