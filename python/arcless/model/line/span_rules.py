@@ -85,3 +85,11 @@ def _check_stagger(line: LineData) -> None:
                 expected="0 m, or a steady arm of kind spring or arm",
                 field=("geometry", "stagger_contact_wire", index),
             )
+    twin = line.twin_contact_wires
+    if not line.holds_stagger and twin is not None and twin.separations is not None:
+        raise ModelError(
+            "nothing holds the wires apart",
+            got="separations with a steady arm of kind none",
+            expected="one separation, or a steady arm of kind spring or arm",
+            field=("twin_contact_wires", "separations"),
+        )
