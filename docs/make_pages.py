@@ -28,6 +28,7 @@ from validation import (
     evidence,
     library,
     praks,
+    praks_in_space,
     published,
     shipped,
     spacing,
@@ -60,7 +61,7 @@ FRAGMENTS = [
         "lines": shipped.TABLES | spacing.TABLES,
         "modelling-choices": choices.TABLES,
         "convergence-published": converging.TABLES,
-        "praks": praks.TABLES,
+        "praks": praks.TABLES | praks_in_space.TABLES,
     }, slow=True),
 ]  # fmt: skip
 

@@ -1,8 +1,8 @@
 """Two contact wires that part and meet in plan, against the equilibrium of strings.
 
 Under the tension T a wire that goes from y₀ to y₁ over the span L pulls its support aside by
-T (y₁ − y₀)/L, whatever hangs on it. So a wire between +b/2 and −b/2 pulls an arm by 2 T b/L, and one
-between b/2 and c/2 by T (b − c)/L, outwards at the wide supports and inwards at the narrow ones.
+T (y₁ − y₀)/L, whatever hangs on it. So a wire between +b/2 and −b/2 pulls an arm by 2 T b/L, and
+one between b/2 and c/2 by T (b − c)/L, outwards at wide supports and inwards at narrow ones.
 """
 
 from typing import Any
@@ -139,6 +139,7 @@ def test_a_flat_crossing_is_felt_like_wires_side_by_side() -> None:
         ({"separations": [0.1, 3.0]}, {}, "twin_contact_wires.separations.1"),
         ({"separations": [0.1, 0.2]}, {"steady_arm": {"kind": "none"}}, "nothing holds the wires"),
         ({"separations": [0.1, 0.2]}, {"solver__dimension": "planar"}, "solver.dimension"),
+        ({"separation": 0.1, "droppers": "alternating"}, MIDDLE, "wire hangs on nothing"),
     ],
 )
 def test_refused(twin: dict[str, Any], changes: dict[str, Any], message: str) -> None:
