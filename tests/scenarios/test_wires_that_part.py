@@ -117,7 +117,7 @@ def test_the_pattern_counts_from_the_first_support_of_the_line() -> None:
 
 def test_a_flat_crossing_is_felt_like_wires_side_by_side() -> None:
     """Slopes in plan of 0.1/60 change lengths and forces by their square, 3e-6."""
-    travel = {"speed": "200 km/h", "travel": {"start": 70.0, "end": 200.0}}
+    travel = {"speed": "200 km/h", "travel": {"start": 70.0, "end": 140.0}}
     forces = [
         arcless.run(load({**data(twin, solver__dimension="spatial"), **travel})).dataset[
             "contact_force"
