@@ -28,6 +28,7 @@ from validation import (
     evidence,
     library,
     praks,
+    praks_in_space,
     published,
     shipped,
     spacing,
@@ -64,7 +65,7 @@ FRAGMENTS = [
         "spacing": spacing_lines.TABLES,
         "modelling-choices": choices.TABLES,
         "convergence-published": converging.TABLES,
-        "praks": praks.TABLES,
+        "praks": praks.TABLES | praks_in_space.TABLES,
     }, slow=True),
 ]  # fmt: skip
 

@@ -91,7 +91,7 @@ def joint_changes(
     x, force
         Position of the pantograph, m, increasing, and contact force, N, unfiltered.
     joints
-        Places of the hanger joints, m.
+        Places of the hanger joints, m. Where two wires are held at one place it counts once.
     section
         Begin and end of the stretch of track that counts, m.
 
@@ -105,7 +105,8 @@ def joint_changes(
     ends = begin + PIECE * np.arange(pieces + 1)
     change = np.diff(np.interp(ends, x, force))
     middle = np.asarray(ends[:-1] + 0.5 * PIECE, dtype=np.float64)
-    inside = joints[(joints >= begin + REACH) & (joints <= end - REACH)]
+    places = np.array(sorted(set(joints.tolist())))
+    inside = places[(places >= begin + REACH) & (places <= end - REACH)]
     if not inside.size:
         return JointChanges((), 0.0, _rms(change))
     distance = np.abs(middle[:, None] - inside)

@@ -20,6 +20,13 @@ def steps_at(x: np.ndarray, places: np.ndarray, size: float = 50.0) -> np.ndarra
     return 100.0 + size * (rise - np.maximum(since - PIECE, 0.0) / (10.0 - PIECE))
 
 
+def test_two_wires_held_at_one_place_have_one_joint_there() -> None:
+    x = positions()
+    force = steps_at(x, JOINTS)
+    pairs = np.repeat(JOINTS, 2)
+    assert joint_changes(x, force, pairs, SECTION) == joint_changes(x, force, JOINTS, SECTION)
+
+
 @pytest.mark.parametrize("late", [-0.5, -0.25, 0.0, 0.25])
 def test_steps_at_joints_are_located(late: float) -> None:
     x = positions()

@@ -102,7 +102,8 @@ def _dimension(line: Line, solver: Solver) -> int:
         raise MeshError(
             "solver.dimension",
             got="planar",
-            expected="auto or spatial for a line with stagger, curves or hinged steady arms",
+            expected="auto or spatial for a line with stagger, curves, hinged steady arms or wires"
+            " that part",
             hint="a planar line is straight, without stagger, with steady arms of kind spring",
         )
     return PLANAR if solver.dimension == "planar" else SPATIAL

@@ -24,7 +24,7 @@ class WireSystem:
     rises : how much of these heights is due to an overlap
     contact_stagger, messenger_stagger, auxiliary_stagger : lateral positions there
     measured : heights of the contact wire at places along the track, in place of those drawn
-    contact_wires : name of each contact wire and its distance from the stagger
+    contact_wires : name of each contact wire and its distance from the stagger at the supports
     """
 
     number: int
@@ -39,7 +39,7 @@ class WireSystem:
     messenger_stagger: list[float]
     auxiliary_stagger: list[float]
     measured: Mapping[float, float]
-    contact_wires: dict[str, float]
+    contact_wires: dict[str, list[float]]
 
     @property
     def held_heights(self) -> list[float]:
@@ -51,7 +51,7 @@ class WireSystem:
     def stagger_of(self, contact_wire: str) -> list[float]:
         """Return the lateral positions of one of the contact wires at the supports, in m."""
         aside = self.contact_wires[contact_wire]
-        return [stagger + aside for stagger in self.contact_stagger]
+        return [y + own for y, own in zip(self.contact_stagger, aside, strict=True)]
 
     def named(self, what: str) -> str:
         """Return the name of a part of this system."""
@@ -104,15 +104,18 @@ def _system(
         messenger_stagger=shifted(geometry.stagger_messenger_wire),
         auxiliary_stagger=shifted(auxiliary),
         measured=measured,
-        contact_wires=_contact_wires(line),
+        contact_wires=_contact_wires(line, places),
     )
 
 
-def _contact_wires(line: Line) -> dict[str, float]:
-    if line.twin_contact_wires is None:
-        return {CONTACT: 0.0}
-    half = 0.5 * line.twin_contact_wires.separation
-    return dict(zip(TWINS, (half, -half), strict=True))
+def _contact_wires(line: Line, places: Sequence[int]) -> dict[str, list[float]]:
+    twin = line.twin_contact_wires
+    if twin is None:
+        return {CONTACT: [0.0] * len(places)}
+    return {
+        name: [0.5 * side * twin.apart(place) for place in places]
+        for name, side in zip(TWINS, (1.0, -1.0), strict=True)
+    }
 
 
 @dataclass(frozen=True)

@@ -24,7 +24,7 @@ def deviation_warnings(line: Line, placements: Sequence[PantographPlacement] = (
     """
     worst = farthest(line)
     twin = line.twin_contact_wires
-    aside = abs(worst.distance) + (0.0 if twin is None else 0.5 * twin.separation)
+    aside = abs(worst.distance) + (0.0 if twin is None else 0.5 * twin.widest)
     place = f"at {worst.x:.4g} m, in span {worst.span}"
     where = f"the contact wire at rest lies {aside:.3g} m aside {place}"
     field = "line.track.curves" if worst.curve_part else "line.geometry.stagger_contact_wire"

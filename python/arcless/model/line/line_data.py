@@ -174,14 +174,16 @@ class LineData(Document):
 
     @property
     def is_spatial(self) -> bool:
-        """True when stagger, curves or a steady arm make the line three-dimensional."""
+        """True when stagger, curves, a steady arm or wires that part make the line spatial."""
         geometry = self.geometry
         staggers = geometry.stagger_contact_wire + geometry.stagger_messenger_wire
         staggers += geometry.stagger_auxiliary_wire or ()
         if self.overlap is not None:
             lists = (self.overlap.stagger_in, self.overlap.stagger_out)
             staggers += (self.overlap.apart, *(side for sides in lists for side in sides or ()))
-        is_bent = self.steady_arm.kind == "arm" or bool(self.track.curves)
+        twin = self.twin_contact_wires
+        parts = twin is not None and twin.separations is not None
+        is_bent = parts or self.steady_arm.kind == "arm" or bool(self.track.curves)
         return is_bent or any(stagger != 0 for stagger in staggers)
 
     @property

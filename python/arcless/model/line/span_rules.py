@@ -29,6 +29,7 @@ def check_spans(line: LineData) -> None:
         _check_presag(line, name, span)
         _check_lengths(line, name, span)
     _check_stagger(line)
+    _check_alternating(line)
     total = sum(run.count for run in line.spans)
     if total > MAX_SPANS:
         raise ModelError(
@@ -85,3 +86,27 @@ def _check_stagger(line: LineData) -> None:
                 expected="0 m, or a steady arm of kind spring or arm",
                 field=("geometry", "stagger_contact_wire", index),
             )
+    twin = line.twin_contact_wires
+    if not line.holds_stagger and twin is not None and twin.separations is not None:
+        raise ModelError(
+            "nothing holds the wires apart",
+            got="separations with a steady arm of kind none",
+            expected="one separation, or a steady arm of kind spring or arm",
+            field=("twin_contact_wires", "separations"),
+        )
+
+
+def _check_alternating(line: LineData) -> None:
+    """Refuse a second contact wire that hangs on nothing: each span begins with the first."""
+    twin = line.twin_contact_wires
+    if twin is None or twin.droppers == "paired" or line.messenger_wire is None:
+        return
+    most = max(len(line.span_types[run.type].holders.positions) for run in line.spans)
+    if most < 2:  # noqa: PLR2004 - one for either wire
+        raise ModelError(
+            "the second contact wire hangs on nothing",
+            got=f"alternating, and at most {most} dropper in a span",
+            expected="two droppers or more in some span, or paired",
+            hint="each span begins with the first wire",
+            field=("twin_contact_wires", "droppers"),
+        )

@@ -48,7 +48,8 @@ def _check_dimension(scenario: ScenarioData) -> None:
         raise ModelError(
             "a planar calculation of a line that is not planar",
             got="planar",
-            expected="auto or spatial for a line with stagger, curves or hinged steady arms",
+            expected="auto or spatial for a line with stagger, curves, hinged steady arms or wires"
+            " that part",
             hint="leave solver.dimension out; a planar line is straight, without stagger, with"
             " steady arms of kind spring",
             field=("solver", "dimension"),
