@@ -265,11 +265,12 @@ def why_table() -> str:
         first, second = (behind.frequency(n, WAKE, setting.length) for n in (1, 2))
         rows.append((
             _line(setting), f"{period.length:.0f}", f"{100 * period.share:.0f}",
-            f"{frequency:.2f}", f"{first:.2f}", f"{second:.2f}",
+            f"{-period.phase(0.0):+.2f}", f"{frequency:.2f}", f"{first:.2f}", f"{second:.2f}",
             f"{band.low:.2f} to {band.high:.2f}", f"{free_wave(setting):.2f}",
         ))  # fmt: skip
-    head = ("line", "period of σ² m", "of its variance %", "v / period Hz", "wake, 1 wave Hz",
-            "wake, 2 waves Hz", "swing of a span Hz", "v/(L (1 + v/c)) Hz")  # fmt: skip
+    head = ("line", "period of σ² m", "of its variance %", "crest at, periods", "v / period Hz",
+            "wake, 1 wave Hz", "wake, 2 waves Hz", "swing of a span Hz",
+            "v/(L (1 + v/c)) Hz")  # fmt: skip
     return table(head, rows)
 
 
