@@ -262,15 +262,19 @@ def why_table() -> str:
         setting = Setting(name)
         period, behind, band = period_of(setting), wake(setting), swing(setting)
         frequency = period.frequency(setting.speed)
-        first, second = (behind.frequency(n, WAKE, setting.length) for n in (1, 2))
+        parts = [behind.frequency(n, WAKE, setting.length) for n in (1, 2, 3)]
+        found, turns = curve(setting), parts[0] / setting.speed
+        worst, best = (found.spacings[end(found.trailing)] for end in (np.argmax, np.argmin))
         rows.append((
             _line(setting), f"{period.length:.0f}", f"{100 * period.share:.0f}",
-            f"{-period.phase(0.0):+.2f}", f"{frequency:.2f}", f"{first:.2f}", f"{second:.2f}",
+            f"{-period.phase(0.0):+.2f}", f"{frequency:.2f}",
+            *(f"{part:.2f}" for part in parts),
             f"{band.low:.2f} to {band.high:.2f}", f"{free_wave(setting):.2f}",
+            f"{turns * worst:.2f}", f"{turns * best:.2f}",
         ))  # fmt: skip
     head = ("line", "period of σ² m", "of its variance %", "crest at, periods", "v / period Hz",
-            "wake, 1 wave Hz", "wake, 2 waves Hz", "swing of a span Hz",
-            "v/(L (1 + v/c)) Hz")  # fmt: skip
+            "wake, 1 wave Hz", "2 waves Hz", "3 waves Hz", "swing of a span Hz",
+            "v/(L (1 + v/c)) Hz", "worst at f d/v", "best at f d/v")  # fmt: skip
     return table(head, rows)
 
 
