@@ -23,7 +23,7 @@ IMAGES = Path(__file__).parents[1] / "images"
 Floats = NDArray[np.float64]
 
 # The shipped scenario with the highest speed on the lines that hang and have equal spans. The coarse
-# copy of Re 200 has no stable step on a line of this length.
+# copies of Re 200 and S20A have no stable step on lines of this length.
 SCENARIOS = (
     "en50318-ac-simple-320-planar",
     "china-stitched-350",
