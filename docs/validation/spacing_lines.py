@@ -22,7 +22,7 @@ from arcless.simulate.resonance.spans import spans
 IMAGES = Path(__file__).parents[1] / "images"
 Floats = NDArray[np.float64]
 
-# The shipped scenario with the highest speed on the lines that hang and have equal spans. The coarse
+# The shipped scenario with the highest speed on lines that hang and have equal spans. The coarse
 # copies of Re 200 and S20A have no stable step on lines of this length.
 SCENARIOS = (
     "en50318-ac-simple-320-planar",
@@ -352,7 +352,7 @@ def figure() -> str:
     drawn.supylabel("σ over that of one alone", fontsize=9)
     drawn.savefig(IMAGES / "spacing-lines.svg", metadata={"Date": None})
     plt.close(drawn)
-    return "![σ of the trailing pantograph over the spacing, all lines](../images/spacing-lines.svg)"
+    return "![σ of the trailing one over the spacing, all lines](../images/spacing-lines.svg)"
 
 
 TABLES = {
