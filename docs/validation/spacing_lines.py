@@ -22,7 +22,8 @@ from arcless.simulate.resonance.spans import spans
 IMAGES = Path(__file__).parents[1] / "images"
 Floats = NDArray[np.float64]
 
-# The shipped scenario with the highest speed on each line that hangs and has equal spans.
+# The shipped scenario with the highest speed on lines that hang and have equal spans. The coarse
+# copies of Re 200 and S20A have no stable step on lines of this length.
 SCENARIOS = (
     "en50318-ac-simple-320-planar",
     "china-stitched-350",
@@ -33,8 +34,6 @@ SCENARIOS = (
     "norway-s25-250",
     "shinkansen-compound-240",
     "spain-ca-220-220",
-    "germany-re-200-200",
-    "norway-s20a-200",
     "spain-ca-200-200",
     "spain-ca-220-3kv-200",
     "norway-s20b-160",
@@ -262,14 +261,19 @@ def why_table() -> str:
         setting = Setting(name)
         period, behind, band = period_of(setting), wake(setting), swing(setting)
         frequency = period.frequency(setting.speed)
-        first, second = (behind.frequency(n, WAKE, setting.length) for n in (1, 2))
+        parts = [behind.frequency(n, WAKE, setting.length) for n in (1, 2, 3)]
+        found, turns = curve(setting), parts[0] / setting.speed
+        worst, best = (found.spacings[end(found.trailing)] for end in (np.argmax, np.argmin))
         rows.append((
             _line(setting), f"{period.length:.0f}", f"{100 * period.share:.0f}",
-            f"{frequency:.2f}", f"{first:.2f}", f"{second:.2f}",
+            f"{-period.phase(0.0):+.2f}", f"{frequency:.2f}",
+            *(f"{part:.2f}" for part in parts),
             f"{band.low:.2f} to {band.high:.2f}", f"{free_wave(setting):.2f}",
+            f"{turns * worst:.2f}", f"{turns * best:.2f}",
         ))  # fmt: skip
-    head = ("line", "period of σ² m", "of its variance %", "v / period Hz", "wake, 1 wave Hz",
-            "wake, 2 waves Hz", "swing of a span Hz", "v/(L (1 + v/c)) Hz")  # fmt: skip
+    head = ("line", "period of σ² m", "of its variance %", "crest at, periods", "v / period Hz",
+            "wake, 1 wave Hz", "2 waves Hz", "3 waves Hz", "swing of a span Hz",
+            "v/(L (1 + v/c)) Hz", "worst at f d/v", "best at f d/v")  # fmt: skip
     return table(head, rows)
 
 
@@ -330,7 +334,7 @@ def figure() -> str:
 
     mpl.rcParams.update({"svg.hashsalt": "arcless", "svg.fonttype": "none", "font.size": 8})
     drawn, grid = plt.subplots(4, 4, figsize=(9.0, 8.0), sharex=True, layout="constrained")
-    for axes, name in zip(grid.flat, SCENARIOS, strict=True):
+    for axes, name in zip(grid.flat, SCENARIOS, strict=False):
         setting = Setting(name)
         found, (spacings, sigma) = curve(setting), first_order(setting)
         axes.axhline(1.0, color="0.45", lw=0.8, ls="--")
@@ -340,13 +344,15 @@ def figure() -> str:
         axes.plot(found.spacings, found.trailing / found.alone, color="#d0652a", lw=1.3, marker=".")
         axes.set_ylim(bottom=0.0)
         axes.set_title(_line(setting), loc="left", fontsize=7)
+    for axes in grid.flat[len(SCENARIOS) :]:
+        axes.set_axis_off()
     names = ("one alone", "TSI", "leading", "trailing, to first order", "trailing")
     drawn.legend(grid[0, 0].lines, names, loc="outside upper center", ncols=5, frameon=False)
     drawn.supxlabel("spacing of the two pantographs, m", fontsize=9)
     drawn.supylabel("σ over that of one alone", fontsize=9)
     drawn.savefig(IMAGES / "spacing-lines.svg", metadata={"Date": None})
     plt.close(drawn)
-    return "![σ of the trailing pantograph over the spacing, 16 lines](../images/spacing-lines.svg)"
+    return "![σ of the trailing one over the spacing, all lines](../images/spacing-lines.svg)"
 
 
 TABLES = {

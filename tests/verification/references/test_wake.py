@@ -91,8 +91,8 @@ _displacement = wake.Wake.displacement
 _stiffness = wake.Wake.__dict__["stiffness"].func
 
 
-def _later(self: Any, distance: float) -> Any:
-    return _displacement(self, distance + 0.5 * SETTING.length)
+def _earlier(self: Any, distance: float) -> Any:
+    return _displacement(self, distance - 0.5 * SETTING.length)
 
 
 def _upside_down(self: Any) -> Any:
@@ -107,7 +107,8 @@ def _ahead() -> Iterator[None]:
 
 
 FAULTS = [
-    Fault("the wake is met half a span too late", patch.object(wake.Wake, "displacement", _later),
+    Fault("the wake is met half a span too early",
+          patch.object(wake.Wake, "displacement", _earlier),
           test_the_wake_of_one_says_what_two_do, slow=True),
     Fault("the wire pulls where it is raised",
           patch.object(wake.Wake, "stiffness", property(_upside_down)),

@@ -19,12 +19,11 @@ from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
 
-# Distances that a period needs at least, and periods from one to the next tried.
-LEAST_POINTS = 8
+# Spacings that a fit of three unknowns and a period needs at least, spacings in a period, periods
+# within their range: with fewer it follows anything, or takes a slope for a period.
+LEAST_POINTS, POINTS_A_PERIOD, LEAST_PERIODS = 8, 4.0, 1.5
+# Ratio of one period that is tried to the one before.
 STEP = 1.005
-# Three unknowns for each period that is tried: below this many points a period the fit follows
-# anything.
-POINTS_A_PERIOD = 4.0
 
 
 @dataclass(frozen=True)
@@ -76,7 +75,7 @@ def spacing_period(spacings: Floats, values: Floats) -> SpacingPeriod | None:
         return None
     reach = float(np.ptp(spacings))
     shortest = POINTS_A_PERIOD * reach / (len(spacings) - 1)
-    count = int(np.log(reach / shortest) / np.log(STEP)) + 1
+    count = max(int(np.log(reach / LEAST_PERIODS / shortest) / np.log(STEP)), 0) + 1
     fits = [fitted(spacings, squares, shortest * STEP**number) for number in range(count)]
     length, left, (_, cosine, sine) = min(fits, key=lambda one: one[1])
     crest = float(np.arctan2(sine, cosine)) / (2.0 * pi) * length
