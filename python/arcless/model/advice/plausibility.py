@@ -5,8 +5,8 @@ Section and stress are not in a model file. As of copper, ρ = 8900 kg/m³, they
     A = m/ρ,   σ = T/A,   ε = T/EA,   c_l = √(EA/m) = √(E/ρ)
 
 c_l is the speed of longitudinal waves, a constant of the material: 3.4 to 3.8 km/s for copper and
-its alloys, 5.1 km/s for steel and for aluminium. Strands have all of their mass and less of E; those of aluminium
-and steel are light, and so 200 MPa of them are 390 MPa as of copper.
+its alloys, 5.1 km/s for steel and for aluminium. Strands have all of their mass and less of E;
+those of aluminium and steel are light: 200 MPa of them are 390 MPa as of copper.
 
 The ranges hold the shipped lines, with room to either side: they are there to catch kN for N and mm
 for m, not to judge a design. Assumed; none is from a standard.
