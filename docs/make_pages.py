@@ -20,12 +20,14 @@ from guide import damping, examples, line_types, messages, speed_marks
 from reference import names as required
 from reference import tables
 from validation import (
+    adif,
     choices,
     conclusions,
     converging,
     core_faults,
     evidence,
     library,
+    mid_span,
     praks,
     published,
     shipped,
@@ -54,7 +56,7 @@ FRAGMENTS = [
     *_of("validation/", published.SLOW, slow=True),
     *_of("validation/", {
         "library": library.SLOW,
-        "lines": shipped.TABLES | spacing.TABLES,
+        "lines": shipped.TABLES | adif.TABLES | mid_span.TABLES | spacing.TABLES,
         "modelling-choices": choices.TABLES,
         "convergence-published": converging.TABLES,
         "praks": praks.TABLES,

@@ -68,7 +68,12 @@ DEFINITIONS = {
         "both, contact wires worn by 30 %", both(0.0), {"as_built.contact_wire_wear": WORN}
     ),
     "friction": Definition("both, tensions 3 % lower: friction of weights", both(0.0), factor=0.97),
-    "slack": Definition("both, tensions 30 % lower", both(0.0), factor=0.7),
+    "slack": Definition(
+        "both, tensions 30 % lower, system height 2.4 m",
+        both(0.0),
+        {"line.geometry.encumbrance": 2.4},
+        factor=0.7,
+    ),
     "heavier": Definition(
         "both, contact wires of 120 mm² and 11.76 kN: CA-160 type B", both(0.0), heavier(11.76e3)
     ),

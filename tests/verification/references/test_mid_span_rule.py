@@ -7,8 +7,8 @@ of it is quoted; mark A'). Lines within 15 % are left at that.
 Beyond it the line is computed once more, without what the rule leaves out. With k = 4 it is the
 middle of one string of the tension ΣT between two supports: its droppers are so close that all
 wires move as one, and all wires are held at the supports. So droppers are put 1 m apart, of the
-same mass by metre, arms made not to yield (10 kN/mm), and stitch wires taken away. What is left must
-be l/(4 ΣT).
+same mass by metre, arms made not to yield (10 kN/mm), and stitch wires taken away. What is left
+must be l/(4 ΣT).
 
 Asked as every shipped line with a messenger wire at rest.
 """
