@@ -6,8 +6,8 @@ e₁ = σ z₁, e_{i+1} = ρ e_i + σ √(1 − ρ²) z_{i+1}, ρ = exp(−(x_{i
 Source: Rasmussen and Williams, Gaussian Processes for Machine Learning (2006), section 4.2.1.
 
 Errors within ±b are the same process with σ = 1, each value y brought to where a uniform one
-stands, e = b (2Φ(y) − 1). Every error between −b and b is as likely, and those of two places have the
-covariance C = (b²/3) (6/π) arcsin(exp(−|x − x′|/ℓ)/2).
+stands, e = b (2Φ(y) − 1). Every error between −b and b is as likely, and those of two places have
+the covariance C = (b²/3) (6/π) arcsin(exp(−|x − x′|/ℓ)/2).
 Source: Pearson, On Further Methods of Determining Correlation (1907), the correlation of ranks.
 """
 
