@@ -90,7 +90,7 @@ def compared(title: str, line: Line) -> list[list[str]]:
         ("elements halved", finer(solved, 2.0, 1.0)),
         ("both halved", finer(solved, 2.0, 2.0)),
         ("with residual flexibility", flexible(solved, *line.flexible)),
-        ("explicit steps, as shipped", load(line.name).with_(**force)),
+        ("explicit steps, default", load(line.name).with_(**force)),
     ):
         found.append(_head(name, scenario) + apart(numbers(run(scenario)), exact))
     return found

@@ -97,7 +97,7 @@ def _ac_simple(progress: Callable[[str], None]) -> list[list[str]]:
     return [
         row(title, "Arcless, with a matrix", one, own, own),
         # Other elements, so other forces: the guide on explicit steps compares them.
-        row("", "Arcless, explicit steps, as shipped", chains, explicit, (own[0], explicit[1])),
+        row("", "Arcless, explicit steps, default", chains, explicit, (own[0], explicit[1])),
         row("", "plain SciPy", one, plain, own),
     ]
 

@@ -147,7 +147,7 @@ def to_the_end(browser: Browser, folder: Path, recorded: float) -> Iterator[list
     yield most(f"{title}: heap of the page", 500, max(pages), "MB", more)
     more = f"{servers[0]:.0f} MB at first; without the process of the run"
     yield told(f"{title}: memory of the server", max(servers), "MB", more)
-    what = f"{title}: wall time of the steps, beside recorded alone"
+    what = f"{title}: wall time of the steps, compared with recorded alone"
     yield most(what, SLOWED, steps / recorded, "×", f"{steps:.1f} s")
 
 

@@ -168,7 +168,7 @@ def replay(bench: Bench) -> Lines:
         }  # fmt: skip
         page.js(f"fetch('api/runs', {json.dumps(given)}).then((one) => one.json())")
         page.wait(".running >> text=stepping", patience=PATIENCE)
-        yield bench.pictures(page, "3-D, replay beside a run that steps", 15, SPACE)
+        yield bench.pictures(page, "3-D, replay during a run", 15, SPACE)
         cancel(page)
 
 

@@ -19,6 +19,7 @@ from fragments import DOCS, Fragment, changes, names, path_of, put
 from guide import damping, examples, line_types, messages, speed_marks
 from reference import names as required
 from reference import tables
+from theory import readings
 from validation import (
     adif,
     choices,
@@ -32,6 +33,7 @@ from validation import (
     published,
     shipped,
     spacing,
+    spacing_lines,
 )
 
 Makers = dict[str, dict[str, Callable[[], str]]]
@@ -50,6 +52,8 @@ FRAGMENTS = [
     *_of("guide/", {"damping": damping.QUICK} | examples.QUICK, computed=False),
     *_of("guide/", line_types.QUICK | speed_marks.QUICK),
     *_of("guide/", {"damping": damping.SLOW} | line_types.SLOW | examples.SLOW, slow=True),
+    *_of("theory/", readings.QUICK),
+    *_of("theory/", readings.SLOW, slow=True),
     *_of("validation/", core_faults.QUICK, computed=False),
     *_of("validation/", {"library": library.QUICK}, computed=False),
     *_of("validation/", published.QUICK),
@@ -57,6 +61,7 @@ FRAGMENTS = [
     *_of("validation/", {
         "library": library.SLOW,
         "lines": shipped.TABLES | adif.TABLES | mid_span.TABLES | spacing.TABLES,
+        "spacing": spacing_lines.TABLES,
         "modelling-choices": choices.TABLES,
         "convergence-published": converging.TABLES,
         "praks": praks.TABLES,

@@ -7,7 +7,7 @@ many frequencies as spans, each span swinging as one half wave).
 """
 
 from dataclasses import dataclass
-from math import ceil, pi
+from math import ceil
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from validation.runs import run, table
 
 import arcless
+from arcless.simulate.resonance import spacing_period
 
 IMAGES = Path(__file__).parents[1] / "images"
 Floats = NDArray[np.float64]
@@ -80,16 +81,9 @@ def first_band(case: Case) -> tuple[float, float]:
 
 def period(spacings: Floats, trailing: Floats) -> float:
     """Period in m of the cosine that fits the variance over the spacing best."""
-    variance = trailing**2
-
-    def left_over(wavelength: float) -> float:
-        turns = 2.0 * pi * spacings / wavelength
-        basis = np.column_stack([np.ones_like(turns), np.cos(turns), np.sin(turns)])
-        _, residual, *_ = np.linalg.lstsq(basis, variance, rcond=None)
-        return float(residual[0])
-
-    candidates = np.arange(40.0, 130.0, 0.5)
-    return float(candidates[np.argmin([left_over(x) for x in candidates])])
+    found = spacing_period(spacings, trailing)
+    assert found is not None
+    return found.length
 
 
 def spacing_table() -> str:

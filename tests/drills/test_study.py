@@ -145,7 +145,7 @@ def test_interrupted(
     assert (end.code, end.out) == (1, ""), end
     *note, last = end.err.splitlines()
     assert last == "interrupted"
-    assert note == [f"rows so far: {TABLE}; go on with `arcless study resume small.yaml`"]
+    assert note == [f"rows so far: {TABLE}; continue with `arcless study resume small.yaml`"]
     # Who stops a study finds what it has so far in its table.
     assert len(rows(folder / TABLE)) == check_kept(folder, expected) >= there
     go_on(stop, folder, expected)

@@ -195,6 +195,6 @@ def test_a_terminal_interrupts_worker_processes_too(tmp_path: Path) -> None:
     os.killpg(running.pid, signal.SIGINT)  # as Ctrl-C does: all processes get it
     out, err = running.communicate(timeout=60)
     assert (running.returncode, out) == (1, "")
-    todo = "go on with `arcless study resume small.yaml --out out`"
+    todo = "continue with `arcless study resume small.yaml --out out`"
     note = f"rows so far: out/table.parquet; {todo}"
     assert err.splitlines() == [note, "interrupted"]

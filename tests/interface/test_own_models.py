@@ -1,4 +1,4 @@
-"""`arcless show` and `arcless new`: shipped models as text, and models of one's own."""
+"""`arcless show` and `arcless new`: shipped models as text, and own models."""
 
 import json
 from collections.abc import Callable
@@ -7,10 +7,12 @@ from pathlib import Path
 import pytest
 from typer.testing import Result
 
+from arcless.model import load
 from arcless.model.own_copy import HEADER, copies, text_of
 from arcless.model.shipped.library import shipped
 
 Command = Callable[..., Result]
+TWO = ("new", "mine", "--two-pantographs")
 
 
 @pytest.mark.parametrize("kind", ["scenario", "line", "pantograph", "study"])
@@ -54,6 +56,14 @@ def test_what_is_shown_is_a_model_file(arcless: Command) -> None:
         (["new", "mine.yaml", "--from", "norway-s25"], "leave the ending out"),
         (["new", "", "--from", "norway-s25"], "letters, digits"),
         (["new", "norway-s25", "--from", "norway-s25"], "such as my-norway-s25"),
+        ([*TWO, "tsi", "--from", "speed-sweep"], "begin with a scenario"),
+        ([*TWO, "tsi", "--from", "ac-simple-320-two-pantographs"], "change pantographs.1.distance"),
+        ([*TWO, "far", "--from", "norway-s25-250"], 'distance: got "far"'),
+        ([*TWO, "2 km", "--from", "norway-s25-250"], "--two-pantographs 2 km: travel: no travel"),
+        (
+            ["new", "mine", "--from", "dsa-250", "--scenario", "norway-s25-250"],
+            "begin with a study",
+        ),
     ],
 )
 def test_bad_input_is_told_and_nothing_is_written(
@@ -139,3 +149,46 @@ def test_nothing_is_replaced(arcless: Command) -> None:
     # A schema that is there stays, and no name is wrong because of it.
     assert arcless("new", "other", "--from", "norway-s25-250").exit_code == 0
     assert Path("arcless.schema.json").read_text() == "{}"
+
+
+@pytest.mark.parametrize(
+    ("source", "spacing", "metres"),
+    [
+        ("norway-s25-250", "tsi", 200.0),
+        ("germany-re-200-200", "tsi", 85.0),
+        ("trolley-bridles-60", "tsi", 8.0),
+        ("norway-s25-250", "0.1 km", 100.0),
+    ],
+)
+def test_a_second_pantograph_equals_the_first(
+    arcless: Command, source: str, spacing: str, metres: float
+) -> None:
+    assert arcless(*TWO, spacing, "--from", source).exit_code == 0
+    assert arcless("check", "mine.yaml").exit_code == 0
+    first, second = load("mine.yaml").pantographs
+    assert (first.name, second.name, second.distance) == ("leading", "trailing", metres)
+    assert (second.model, second.start_force) == (first.model, first.start_force)
+    assert (second.static_force, second.mean_force) == (first.static_force, first.mean_force)
+    assert (load(source).pantographs[0].model, load(source).speed) == (
+        first.model,
+        load("mine.yaml").speed,
+    )
+
+
+def test_the_spacing_of_the_rule_follows_the_speed(arcless: Command) -> None:
+    arcless(*TWO, "tsi", "--from", "germany-re-200-200", "--with-pantographs")
+    mine = load("mine.yaml")
+    spacings = [mine.with_(speed=f"{v} km/h").pantographs[1].distance for v in (80, 120, 200, 250)]
+    assert spacings == [8.0, 15.0, 85.0, 200.0]  # TSI ENE, table 4.2.13, column B
+
+
+def test_a_study_over_the_spacing_of_a_scenario_of_ones_own(arcless: Command) -> None:
+    arcless(*TWO, "tsi", "--from", "germany-re-200-200")
+    made = arcless("new", "gaps", "--from", "study/spacing", "--scenario", "mine.yaml")
+    assert "and: arcless study run gaps.yaml" in made.stdout
+    assert arcless("check", "gaps.yaml").exit_code == 0
+    assert "scenario: mine.yaml\n" in Path("gaps.yaml").read_text("utf-8")
+    arcless("new", "one", "--from", "study/spacing", "--scenario", "norway-s25-250")
+    told = arcless("check", "one.yaml")
+    assert told.exit_code == 2
+    assert "--two-pantographs tsi` makes a scenario with two" in told.stderr

@@ -22,7 +22,7 @@ def stopped(arcless: Arcless, short: Path, tmp_path: Path) -> Path:
     assert done.exit_code == 0, done.stderr
     assert sorted(file.name for file in (tmp_path / "part").iterdir()) == ["result.nc"]
     assert "stopped at 120.0" in done.stdout
-    assert "go on with: arcless resume part/result.nc" in done.stdout
+    assert "continue with: arcless resume part/result.nc" in done.stdout
     return tmp_path / "part" / "result.nc"
 
 

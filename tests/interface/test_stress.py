@@ -83,7 +83,7 @@ def test_a_run_that_stopped_early_is_refused(arcless: Run, short: Path) -> None:
     assert done.exit_code == 2 and done.stdout == ""
     message = " ".join(done.stderr.split())
     assert "run that stopped early: expected a finished run" in message
-    assert "`arcless resume RUN` goes on with it" in message
+    assert "`arcless resume RUN` continues it" in message
 
 
 def test_what_is_no_run(arcless: Run, tmp_path: Path) -> None:

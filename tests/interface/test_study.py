@@ -94,7 +94,7 @@ def test_a_changed_file_is_refused_with_the_difference(arcless: Arcless, tmp_pat
     done = arcless("study", "resume", file)
     assert done.exit_code == 2
     assert "seed: 0 → 4" in done.stderr
-    assert "begin anew in another folder with `--out`" in done.stderr
+    assert "restart in another folder with `--out`" in done.stderr
 
 
 def test_check_knows_studies(arcless: Arcless, tmp_path: Path) -> None:
@@ -250,7 +250,7 @@ def test_beginning_twice_says_what_there_is_to_do(arcless: Arcless, tmp_path: Pa
     done = arcless("study", "run", file)
     assert done.exit_code == 2
     assert "the study was begun here already: got 2 of 6 variants" in done.stderr
-    assert f"go on with `arcless study resume {file}`, or begin anew with" in done.stderr
+    assert f"continue with `arcless study resume {file}`, or restart with" in done.stderr
 
 
 def test_status_tells_of_damage_once(arcless: Arcless, tmp_path: Path) -> None:

@@ -68,7 +68,7 @@ def test_files_that_are_refused(content: str, message: str) -> None:
 
 
 def test_every_refusal_of_the_page_is_tried() -> None:
-    rows = PAGE.split("## What is refused")[1].split("|---|---|\n")[1].split("\n\n")[0]
+    rows = PAGE.split("## Refusals")[1].split("|---|---|\n")[1].split("\n\n")[0]
     assert len(ROW.findall(PAGE)) == len(rows.splitlines()) > 10
 
 

@@ -50,6 +50,6 @@ def test_the_page(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_numbers_and_names_are_those_of_the_program() -> None:
     assert MOST_FIELDS == 20
-    assert "twenty times at most" in PAGE
-    assert f"its variants, {PRINTED} at most" in PAGE
+    assert "up to twenty times" in PAGE
+    assert f"its variants (at most {PRINTED})" in PAGE
     assert ", ".join(f"`{name}`" for name in SIGNED) in PAGE

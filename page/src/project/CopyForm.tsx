@@ -12,8 +12,9 @@ const NAME = "[\\p{L}\\p{N}_][\\p{L}\\p{N}_ .+=\\-]*";
 export function CopyForm({ entry }: { entry: ModelEntry }) {
   const make = async (event: SubmitEvent) => {
     event.preventDefault();
-    const name = String(new FormData(event.currentTarget as HTMLFormElement).get("name")).trim();
-    if ((await copy(entry, name)) !== null) copying.value = null;
+    const given = new FormData(event.currentTarget as HTMLFormElement);
+    const name = String(given.get("name")).trim();
+    if ((await copy(entry, name, given.has("second"))) !== null) copying.value = null;
   };
   return (
     <form class="copy-form" onSubmit={(event) => void make(event)} onKeyDown={(event) => event.key === "Escape" && (copying.value = null)}>
@@ -30,6 +31,11 @@ export function CopyForm({ entry }: { entry: ModelEntry }) {
           ref={(field) => field?.select()}
         />
       </label>
+      {entry.kind === "scenario" && (
+        <label title="200 m from 250 km/h, 85 m above 120, 15 m above 80, else 8 m: it follows the speed">
+          <input type="checkbox" name="second" /> second pantograph, at the spacing of the TSI
+        </label>
+      )}
       <button type="submit">Copy to my folder</button>
       <button type="button" onClick={() => (copying.value = null)}>Cancel</button>
     </form>

@@ -17,9 +17,13 @@ export function nameFor(entry: ModelEntry): string {
   return freeName(`my-${entry.name}`, stems);
 }
 
-/** Copy a shipped model under a name of its own. Of a scenario its line and pantographs come too. It is opened. */
-export async function copy(entry: ModelEntry, name: string): Promise<string | null> {
-  const body = { name, from: entry.path, with_pantographs: entry.kind === "scenario" };
+/**
+ * Copy a shipped model under a name of its own. Of a scenario its line and pantographs come too, and a second
+ * pantograph at the spacing of the TSI where that is asked for. It is opened.
+ */
+export async function copy(entry: ModelEntry, name: string, second = false): Promise<string | null> {
+  const pair = second ? { two_pantographs: "tsi" } : {};
+  const body = { name, from: entry.path, with_pantographs: entry.kind === "scenario", ...pair };
   try {
     const { path } = await ask<{ path: string }>("new", { body });
     await readProject();

@@ -235,7 +235,7 @@ def _draws(
     """Return the additional runs, how they were made, and remarks about them."""
     found, asked = facts["certainty"], facts["scenario"].get("certainty")
     if found is None:
-        missing = "how sure the numbers are was asked for, and not found out here"
+        missing = "the certainty of the numbers was requested, and is not computed here"
         return None, None, [missing] if asked else []
     own = [*facts["section_m"], facts["scenario"]["analysis"]["low_pass"]]
     if [*section, low_pass_Hz] != own:
@@ -244,7 +244,7 @@ def _draws(
     try:
         draws = Draws.of(found)
     except (AttributeError, KeyError, TypeError, ValueError) as error:
-        what = "what the result says of the runs beside it is damaged"
+        what = "what the result says of its companion runs is damaged"
         raise ResultFormatError(what, where="attribute `certainty`") from error
     method = {key: value for key, value in found.items() if key not in ("draws", "refined")}
     count = 1 + len(draws.starts)

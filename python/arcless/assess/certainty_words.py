@@ -33,7 +33,7 @@ def _about_starts(method: Mapping[str, Any]) -> list[str]:
 def _about_family(method: Mapping[str, Any]) -> list[str]:
     family, seconds = method["other_family"], method["wall_time_s"]["other_family"]
     if family is None:
-        return ["The error of discretisation was not asked for."]
+        return ["The error of discretisation was not requested."]
     wires = "cubic elements" if family["wire_model"] == "hermite" else "point masses"
     return [
         f"Discretisation: the difference to {wires} of {family['contact_wire_element_m']:.3g} m and"

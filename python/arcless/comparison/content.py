@@ -13,22 +13,20 @@ from arcless.figures.description import Figure
 FEW_FIELDS, MOST_FIELDS = 8, 400
 
 NUMBERS_READ = (
-    "Below each value its difference to the first run, in the unit and in % of the first value."
+    "Below each value: its difference from the first run, in its unit and in % of the first value."
 )
-LEFT_OUT = (
-    "Names, descriptions, sources and marks are left out, and so is what follows from other fields."
-)
+LEFT_OUT = "Names, descriptions, sources, marks and derived values are not compared."
 SAME = "No field of the scenarios differs."
 PLACEMENT_READS = (
     "The offset is added to the first measured position, the drift to every kilometre of the"
-    " odometer. The correlation is that of the filtered forces, or heights, of both. What the"
-    " amplifier of the instrument delays, the speed times its delay, is part of the offset."
+    " odometer. The correlation is that of the two filtered forces or heights. The offset"
+    " includes the delay of the instrument's amplifier times the speed."
 )
 BANDS_READ = (
-    "Standard deviation of the contact force in each band. Below each value its difference to the"
-    " first run, and the correlation r of the two bands at the same places of the line. Bands of"
-    " the low-pass are of the filtered force; third octaves follow from the spectrum of the"
-    " unfiltered one."
+    "Standard deviation of the contact force in each band. Below each value: its difference from"
+    " the first run, and the correlation r of the two bands at equal places of the line. The first"
+    " bands are those of the filtered force; third octaves follow from the spectrum of the"
+    " unfiltered force."
 )
 ACCEPTANCE_READS = (
     "Tolerances are from memory of EN 50318:2002 (mark C): the standard was not read, and no source"

@@ -222,7 +222,7 @@ class LawController:
         apart, wanted = sample.time_s - before.time_s, self._reader.sample_time_s
         if sample is not before and abs(apart - wanted) > ROUNDING_S:
             raise ControlError(
-                "a law that is asked at other intervals",
+                "a law that is sampled at other intervals",
                 got=f"{1e3 * apart:.6g} ms",
                 expected=f"{1e3 * wanted:.6g} ms, as where it was made",
                 hint="give the pantograph the `controller` that `actuator` of this law holds",

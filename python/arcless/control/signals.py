@@ -178,7 +178,7 @@ ALL = (
     ),
     Signal(
         "asked_force_N", "N", -10_000.0, 10_000.0, 50.0,
-        "force asked for last, within the limits of the actuator",
+        "last force requested, within the limits of the actuator",
         "nothing: the controller knows it",
         False, lambda sample, _: sample.asked_force_N,
     ),

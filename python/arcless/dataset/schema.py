@@ -366,7 +366,7 @@ VARIABLES: dict[str, Variable] = {
     "state": Variable(
         ("state_number",),
         "1",
-        "what `arcless resume` goes on from, SI; only if the run stopped early",
+        "what `arcless resume` continues from, SI; only if the run stopped early",
     ),
 }
 

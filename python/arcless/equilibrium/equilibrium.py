@@ -370,7 +370,7 @@ def translate(mesh: Mesh, kind: str, message: str, details: dict[str, Any]) -> A
             got=f"a force of {details['force']:.1f} N",
             expected="a tension",
             hint=f"the heights bend the {dropper.wires[1]} there more sharply than its weight"
-            " does: try a smaller pre-sag of this dropper, or larger ones beside it",
+            " does: try a smaller pre-sag of this dropper, or larger ones next to it",
         )
     if kind == "singular":
         return EquilibriumError(
@@ -378,7 +378,7 @@ def translate(mesh: Mesh, kind: str, message: str, details: dict[str, Any]) -> A
             where=place_of(mesh, details["node"]),
             got="a place that any small push moves away",
             expected="a wire under tension, with what holds it",
-            hint="look at tension and bending_stiffness of this wire, and at support,"
+            hint="check tension and bending_stiffness of this wire, and at support,"
             " contact_support and steady_arm",
         )
     if kind == "unstable":

@@ -54,7 +54,7 @@ def _measured(x: float, heights: Mapping[float, float]) -> str:
     near = [place for place in sorted(heights) if abs(place - x) < NEIGHBOURS]
     at = near.index(min(near, key=lambda place: abs(place - x)))
     read = [f"{heights[place]:.4g} m at {place:g} m" for place in near[max(at - 1, 0) : at + 2]]
-    return f"measured were {', '.join(read)}: the wire cannot hang like that; look at these"
+    return f"measured were {', '.join(read)}: the wire cannot hang like that; check these"
 
 
 def _low_messenger(line: Line, gravity: float, span: float) -> str | None:
@@ -67,7 +67,7 @@ def _low_messenger(line: Line, gravity: float, span: float) -> str | None:
     if sag <= room:
         return None
     return (
-        f"messenger_wire.tension is {_newtons(messenger.tension)}: with all that hangs on it this"
+        f"messenger_wire.tension is {_newtons(messenger.tension)}: with all that it carries this"
         f" wire sags by some {sag:.2g} m in a span of {span:g} m, and geometry.encumbrance is"
         f" {room:g} m; it takes some {_newtons(1.05 * moment / room)}, or a larger encumbrance"
     )
@@ -93,7 +93,7 @@ def check_carried(line: Line, gravity: float) -> None:
                 got=f"{deep.given}: over {deep.apart:g} m it would sag by some {deep.sag:.3g} m",
                 expected="a small part of that",
                 hint=_unit_meant(line, deep)
-                or "look at its unit (N for kN?), at the mass of the wire, and at the spans",
+                or "check its unit (N for kN?), the mass of the wire, and the spans",
             )
 
 
@@ -104,7 +104,7 @@ def _deep(line: Line, gravity: float) -> Iterator[str]:
             yield (
                 f"{deep.field} is {deep.given}: where {deep.apart:g} m lie between what holds it,"
                 f" it sags by some {deep.sag:.2g} m; "
-                + (_unit_meant(line, deep) or "look at the unit, at the mass and at the spans")
+                + (_unit_meant(line, deep) or "check the unit, the mass and the spans")
             )
 
 
@@ -235,8 +235,8 @@ def _too_much_presag(
     index = int(np.argmin([abs(x - place) for x in span.holders.positions]))
     downwards = "; pre-sag counts downwards" if min(left, here, right) < 0 else ""
     return (
-        f"a pre-sag of {here:.4g} mm is too much between {left:.4g} mm and {right:.4g} mm beside"
-        f" it: at most {floor(1e3 * most):.4g} mm hang freely there, or more beside it; see"
+        f"a pre-sag of {here:.4g} mm is too much between {left:.4g} mm and {right:.4g} mm next to"
+        f" it: at most {floor(1e3 * most):.4g} mm hang freely there, or more next to it; see"
         f" span_types.{name}.{kind}.presag.{index}{downwards}"
     )
 

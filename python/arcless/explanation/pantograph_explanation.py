@@ -183,7 +183,7 @@ def _check(passage: Passage, spans: float, variance: float) -> None:
             where=f"pantograph {passage.name}",
             got=f"{begin:g} to {end:g} m, {counted_spans(spans)}",
             expected=f"at least {FEWEST_SPANS:g} spans",
-            hint="set `analysis.from` and `analysis.to`, and let the run go on to the end",
+            hint="set `analysis.from` and `analysis.to`, and let the run continue to the end",
         )
     if sqrt(variance) < CONSTANT:
         raise ExplanationError(

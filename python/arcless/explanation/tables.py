@@ -15,11 +15,11 @@ GROUPS = (
 )  # fmt: skip
 # Explanation of the tables, the same on pages and on paper.
 READS = (
-    "Parts are of the variance σ², and add up to it; their roots do not. Waves that repeat from "
-    "span to span are span passing where they are longer than two intervals between droppers, "
-    "dropper passing where they are shorter. What does not repeat is in the bands of pantograph "
-    "modes or the rest; modes amplify what repeats as well, and the last column has all of it. ± "
-    "is the standard uncertainty that follows from the length of the section."
+    "The parts add up to the variance σ²; their roots do not add up to σ. Waves that repeat from "
+    "span to span are span passing if they are longer than two dropper intervals, and dropper "
+    "passing if they are shorter. Waves that do not repeat belong to the bands of the pantograph "
+    "modes or to the rest. Modes also amplify repeating waves; the last column includes them. ± is "
+    "the standard uncertainty due to the length of the section."
 )
 
 

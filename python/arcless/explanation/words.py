@@ -16,7 +16,7 @@ def largest_share(std_force_N: float, groups: Sequence[Group]) -> str:
     first, second = sorted(groups, key=lambda one: -one.share_percent)[:2]
     begin = f"σ is {std_force_N:.1f} N"
     if first.uncertainty_percent is None or second.uncertainty_percent is None:
-        return f"{begin}; the section is too short to tell how sure the shares of it are."
+        return f"{begin}; the section is too short to state the uncertainty of its shares."
     apart = first.share_percent - second.share_percent
     if apart <= CLEAR * hypot(first.uncertainty_percent, second.uncertainty_percent):
         both = " and ".join(f"{one.name} {share(one)}" for one in (first, second))
@@ -70,12 +70,12 @@ def strongest_change(sensitivities: Sensitivities, pantograph: str) -> str:
     """Return which change lowers σ of a pantograph most."""
     found = sensitivities.strongest(pantograph)
     if found is None:
-        return "Nothing that was varied lowers σ by more than the uncertainty of the difference."
+        return "No varied parameter lowers σ by more than the uncertainty of the difference."
     parameter, effect = found
     step = sensitivities.step_percent
     unsure = step * effect.uncertainty
     decimals = 1 if unsure >= 0.1 else 2  # noqa: PLR2004 - ± 0.0 would say nothing
     return (
-        f"Of what was varied, {step:g} % {effect.better} {parameter.parameter} lowers σ most: by"
-        f" {effect.lowers_percent:.{decimals}f} ± {unsure:.{decimals}f} %."
+        f"Among the varied parameters, {step:g} % {effect.better} {parameter.parameter} lowers σ"
+        f" most: by {effect.lowers_percent:.{decimals}f} ± {unsure:.{decimals}f} %."
     )

@@ -209,7 +209,7 @@ def _check_rate(measurement: Measurement, each: MeasuredPantograph, low_pass_Hz:
         where=f"{measurement.path}: pantograph {each.name}",
         got=f"{each.true_rate_Hz:.4g} samples a second, one every {each.spacing_m:.3g} m",
         expected=f"more than twice the cut-off of {low_pass_Hz:g} Hz",
-        hint=f"EN 50317 asks for more than {MEASUREMENT_RATE_HZ:g} samples a second, or one every"
+        hint=f"EN 50317 requires more than {MEASUREMENT_RATE_HZ:g} samples a second, or one every"
         f" {MEASUREMENT_SPACING_M:g} m (from memory)",
     )
 

@@ -179,7 +179,7 @@ def _about_speed(raw: Raw, speed: float | None) -> list[str]:
 def _about_force(raw: Raw, head: Head | None) -> list[str]:
     if "contact_force" in raw.channels:
         extra = [*raw.sensors, *raw.accelerations]
-        return [f"beside the contact force of pantograph {raw.name}, columns of sensors are not "
+        return [f"pantograph {raw.name} has a column of contact force; columns of sensors are not "
                 f"used: {', '.join(extra)}"] if extra else []  # fmt: skip
     count = len(raw.sensors)
     what = f"contact force of pantograph {raw.name}: sum of {count} sensor{'s' * (count > 1)}"

@@ -46,7 +46,7 @@ def about_record(
     if rate <= MEASUREMENT_RATE_HZ and each.spacing_m > MEASUREMENT_SPACING_M:
         notes.append(
             f"pantograph {each.name} was sampled at {rate:.4g} Hz, every {each.spacing_m:.2f} m:"
-            f" EN 50317 asks for more than {MEASUREMENT_RATE_HZ:g} Hz or every"
+            f" EN 50317 requires more than {MEASUREMENT_RATE_HZ:g} Hz or every"
             f" {MEASUREMENT_SPACING_M:.2f} m (from memory); what the sensors had above"
             f" {rate - low_pass_Hz:.4g} Hz is folded below {low_pass_Hz:g} Hz, unless a filter"
             " stood before the recorder"
@@ -138,7 +138,7 @@ def too_little_hint(left_out: Sequence[LeftOut], edge_s: float) -> str:
         for kind, ones in places.items()
     )
     advice = (
-        f": each place costs {2.0 * edge_s:g} s more, for the ends of the pieces beside it"
+        f": each place costs {2.0 * edge_s:g} s more, for the ends of the pieces next to it"
         " do not count"
     )
     if EMPTY in places:

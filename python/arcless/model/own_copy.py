@@ -10,6 +10,7 @@ from typing import Any
 from arcless.errors import ModelError, OutputError
 from arcless.model.edit import change
 from arcless.model.files.yaml_reader import is_file, parse, read_text
+from arcless.model.second_pantograph import with_second
 from arcless.model.shipped.library import RENAMED, find, shipped
 from arcless.model.shipped.wire_catalogue import entry_text
 from arcless.platforms.file_names import refused_by_windows
@@ -50,7 +51,14 @@ def text_of(source: str) -> str:
     return text
 
 
-def copies(name: str, source: str, *, with_pantographs: bool = False) -> dict[str, str]:
+def copies(
+    name: str,
+    source: str,
+    *,
+    with_pantographs: bool = False,
+    two_pantographs: str | None = None,
+    scenario: str | None = None,
+) -> dict[str, str]:
     """Return the files of a model of one's own, text by name of file.
 
     Of a scenario these are the scenario and its line, which the scenario then refers to. Comments,
@@ -64,21 +72,34 @@ def copies(name: str, source: str, *, with_pantographs: bool = False) -> dict[st
         The name of a shipped scenario, line, pantograph or study; see `text_of`.
     with_pantographs
         Also copy the scenario's pantographs.
+    two_pantographs
+        Distance behind the first pantograph of a second one like it, see `with_second`; no second
+        one without.
+    scenario
+        Scenario of a study, by shipped name or by file relative to the copy; as in the source
+        without.
 
     Raises
     ------
     ModelError
-        The name is none that a file could have, or is that of a shipped model; the source is none.
+        The name is none that a file could have, or is that of a shipped model; the source is none,
+        or of another kind than asked for; the pantographs do not fit on the line.
     """
     _check_name(name)
     kind, file = _of_source(source)
-    text = change(read_text(file, source), "name", name, source)
-    made = {f"{name}.yaml": text.apply(read_text(file, source))}
+    _check_options(kind, source, {
+        "--with-pantographs": ("scenario", with_pantographs),
+        "--two-pantographs": ("scenario", two_pantographs is not None),
+        "--scenario": ("study", scenario is not None),
+    })  # fmt: skip
+    given = read_text(file, source)
+    if two_pantographs is not None:
+        given = with_second(given, two_pantographs, source, file)
+    for field, value in {"name": name, "scenario": scenario}.items():
+        if value is not None:
+            given = change(given, field, value, source).apply(given)
+    made = {f"{name}.yaml": given}
     if kind != "scenario":
-        if with_pantographs:
-            hint = "leave --with-pantographs out, or begin with a scenario"
-            raise ModelError("no pantographs to copy", got=f"{kind} {source}",
-                             expected="a scenario", hint=hint)  # fmt: skip
         return {file: HEADER + text for file, text in made.items()}
     data = parse(made[f"{name}.yaml"], source)[0]
     references: dict[str, str] = {}
@@ -135,6 +156,14 @@ def _copied(
     references[place] = f"{new}.yaml"
     text = read_text(file, given)
     return {f"{new}.yaml": change(text, "name", new, given).apply(text)}
+
+
+def _check_options(kind: str, source: str, options: Mapping[str, tuple[str, bool]]) -> None:
+    """Refuse options that are given and belong to another kind of model."""
+    for option, (own, is_given) in options.items():
+        if is_given and kind != own:
+            raise ModelError(option, got=f"{kind} {source}", expected=f"a {own}",
+                             hint=f"leave {option} out, or begin with a {own}")  # fmt: skip
 
 
 def _check_name(name: str) -> None:

@@ -39,7 +39,7 @@ def ask_priority(priority: int = USUAL_PRIORITY) -> str:
         os.sched_setscheduler(0, os.SCHED_FIFO, os.sched_param(priority))
     except OSError as error:
         raise _refusal(
-            "real-time priority", error.strerror or str(error), "a user who may ask for it",
+            "real-time priority", error.strerror or str(error), "a user who may use it",
             f"as root: `chrt --fifo {priority} COMMAND`; or a line `USER - rtprio {priority}` in"
             f" {_LIMITS}, and sign in again",
         ) from error  # fmt: skip
@@ -104,7 +104,7 @@ def _ask_windows() -> str:
         done = kernel.SetPriorityClass(kernel.GetCurrentProcess(), high)
         if not (done and kernel.SetThreadPriority(kernel.GetCurrentThread(), time_critical)):
             got = ctypes.FormatError(ctypes.get_last_error())
-            raise _refusal("real-time priority", got, "a user who may ask for it")
+            raise _refusal("real-time priority", got, "a user who may use it")
     return "TIME_CRITICAL of a high class"
 
 

@@ -65,7 +65,7 @@ class Group:
 
     @property
     def defaults(self) -> list[Row]:
-        """Values that nobody gave."""
+        """Default values."""
         return [row for row in self.rows if row.is_default]
 
 

@@ -19,15 +19,15 @@ Rows = Sequence[Mapping[str, Any]]
 MAX_WARNINGS = 50
 
 MARKS_MEAN = (
-    "The mark says how well a number is known. All criteria are counted by their verdicts. A limit"
+    "The mark states how well a number is known. The count includes all criteria. A limit"
     " that was not checked in a source (marks C, C*, assumed) cannot fail a run: a value beyond it"
     " is not met (unverified)."
 )
 CERTAINTY_READS = (
-    "A run that begins elsewhere within a span gives other numbers. The pantograph is the same at"
-    " every start; the static force is that of the run, carried over by the base spring. A"
-    " criterion is too close to tell where the distance between value and limit is smaller than"
-    " their uncertainty; it then cannot fail a run."
+    "A run with another start within the span gives other numbers. The pantograph is the same at"
+    " every start; its static force follows from that of the run and the base spring. A criterion"
+    " is too close to tell if the distance between value and limit is smaller than its"
+    " uncertainty; it then cannot fail a run."
 )
 
 # Address, title, figures of a section; those of an inner tuple stand next to each other.

@@ -146,10 +146,10 @@ def _check_new(place: StudyFolder) -> None:
         what, got, todo = "another study was begun here", "rows of that", "choose another folder"
     elif there < total:
         what, got = "the study was begun here already", f"{there} of {total} variants"
-        todo = f"go on with `{place.command('resume')}`, or begin anew"
+        todo = f"continue with `{place.command('resume')}`, or restart"
     else:
         what, got = "the study is complete already", f"all {total} variants"
-        todo = f"look at it with `{place.command('report')}`, or begin anew"
+        todo = f"see it with `{place.command('report')}`, or restart"
     raise StudyError(
         what,
         where=str(place.path),
@@ -167,7 +167,7 @@ def _valid_rows(study: Study, place: StudyFolder, *, retry_failed: bool) -> dict
         raise StudyError(
             "an optimisation does not compute failed variants again",
             expected="resume without --retry-failed",
-            hint="later choices follow from their failure; begin anew with `--out`",
+            hint="later choices follow from their failure; restart with `--out`",
         )
     return {
         row.variant: row.status
@@ -185,7 +185,7 @@ def _check_rows(study: Study, place: StudyFolder, rows: Iterable[Row]) -> None:
                 where=str(place.journal),
                 got=f"variant {row.variant} with other values",
                 expected="the values that the design gives it",
-                hint="begin anew in another folder with `--out`",
+                hint="restart in another folder with `--out`",
             )
 
 

@@ -186,7 +186,7 @@ def test_words_for_what_is_not_known() -> None:
     alone["wall_time_s"]["other_family"] = None
     found = assess(synthetic_dataset(attrs={"certainty": alone}))
     assert found.certainty_method is not None
-    assert "was not asked for" in " ".join(explained(found.certainty_method))
+    assert "was not requested" in " ".join(explained(found.certainty_method))
 
 
 @pytest.mark.parametrize(

@@ -115,7 +115,7 @@ def test_a_law_is_refused_where_it_does_not_belong(task: control.Task) -> None:
     scenario, controller = task.scenario.with_(**section), control.LawController.of(law(), task)
     field = "pantographs.0.controller"
     arcless.run(scenario.with_(**{field: controller.actuator}), controllers={"P1": controller})
-    with pytest.raises(ControlError, match=r"asked at other intervals.*2 ms.*4 ms"):
+    with pytest.raises(ControlError, match=r"sampled at other intervals.*2 ms.*4 ms"):
         arcless.run(scenario.with_(**{field: None}), controllers={"P1": controller})
     one = {"mass": "15 kg", "stiffness": "50 N/m", "damping": "90 N s/m"}
     other = {"pantographs.0.model.masses": [one], field: controller.actuator}

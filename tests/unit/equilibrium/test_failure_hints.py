@@ -42,7 +42,7 @@ def number(pattern: str, text: str) -> float:
 
 def test_a_messenger_wire_that_sags_below_the_contact_wire_names_its_tension() -> None:
     text = hint(messenger_wire__tension=1.5e3)
-    assert text.startswith("messenger_wire.tension is 1.5 kN: with all that hangs on it")
+    assert text.startswith("messenger_wire.tension is 1.5 kN: with all that it carries")
     assert "geometry.encumbrance is 1.8 m" in text
     holds(messenger_wire__tension=1e3 * number(r"it takes some ([\d.]+) kN", text))
 
@@ -57,10 +57,10 @@ def test_a_tension_in_the_wrong_unit_is_named_before_anything_is_computed(wire: 
 
 
 def test_a_tension_with_its_unit_is_not_asked_for_another_one() -> None:
-    with pytest.raises(EquilibriumError, match=r"look at its unit \(N for kN\?\)"):
+    with pytest.raises(EquilibriumError, match=r"check its unit \(N for kN\?\)"):
         equilibrium.find(scenario(contact_wire__tension="15 N"))
     # A thousandth of a newton is no kilonewton either.
-    with pytest.raises(EquilibriumError, match=r"look at its unit \(N for kN\?\)"):
+    with pytest.raises(EquilibriumError, match=r"check its unit \(N for kN\?\)"):
         equilibrium.find(scenario(contact_wire__tension=1e-3))
 
 
@@ -75,7 +75,7 @@ def test_a_loose_contact_wire_is_named_where_no_shape_is_found() -> None:
 
 def test_too_much_pre_sag_names_its_entry_and_how_much_hangs() -> None:
     text = hint(**{PRESAG: [0, 0.2, 0.03, 0.03, 0.02, 0]})
-    assert text.startswith("a pre-sag of 200 mm is too much between 0 mm and 30 mm beside it")
+    assert text.startswith("a pre-sag of 200 mm is too much between 0 mm and 30 mm next to it")
     assert text.endswith("see span_types.span.droppers.presag.1")
     most = 1e-3 * number(r"at most (\d+) mm", text)
     holds(**{PRESAG: [0, most, 0.03, 0.03, 0.02, 0]})

@@ -143,7 +143,7 @@ def test_spans_that_pass_too_fast_are_refused() -> None:
 def test_two_spans_with_unequal_droppers_are_too_short_to_be_sure() -> None:
     found = explain_force(line_of((48.0, 66.0)), known(1.0))
     assert found.groups[1].uncertainty_percent is None
-    assert "too short to tell how sure" in found.sentences()[0]
+    assert "too short to state the uncertainty" in found.sentences()[0]
 
 
 def test_a_line_without_droppers_has_spans_only() -> None:

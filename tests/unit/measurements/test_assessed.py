@@ -234,12 +234,12 @@ def test_a_record_that_is_too_coarse(file: Path) -> None:
     rows = np.arange(0, 5000, 10)
     coarse = measured(file, rows)
     found = assess(coarse)
-    [note] = [one for one in found.notes if "EN 50317 asks" in one]
+    [note] = [one for one in found.notes if "EN 50317 requires" in one]
     assert "sampled at 50 Hz, every 1.40 m" in note
     assert "above 30 Hz is folded below 20 Hz" in note
     with pytest.raises(MeasurementError, match=r"too few samples for the low-pass.*got 50 samples"):
         assess(coarse, low_pass_Hz=25.0)
-    assert not any("EN 50317 asks" in one for one in assess(measured(file)).notes)
+    assert not any("EN 50317 requires" in one for one in assess(measured(file)).notes)
 
 
 def test_each_fault_is_in_the_notes(file: Path) -> None:

@@ -86,7 +86,7 @@ def test_beginning_what_was_begun_says_how_far_it_is(tmp_path: Path) -> None:
     with pytest.raises(StudyError) as caught:
         run(study(), tmp_path)
     assert f"was begun here already: got {count} of 6 variants" in str(caught.value)
-    assert f"go on with `arcless study resume FILE --out {tmp_path}`" in str(caught.value)
+    assert f"continue with `arcless study resume FILE --out {tmp_path}`" in str(caught.value)
     with pytest.raises(StudyError, match="another study was begun here"):
         run(study(outputs={"sigma": "max_force_N"}), tmp_path)
 

@@ -183,7 +183,7 @@ def _check_finished(data: "Dataset", scenario: "Scenario") -> None:
     if metadata(data)["state"] is not None:
         raise ModelError(
             "run that stopped early", where=scenario.name, expected="a finished run",
-            hint="`arcless resume RUN` goes on with it",
+            hint="`arcless resume RUN` continues it",
         )  # fmt: skip
 
 
@@ -216,7 +216,7 @@ def _wire(scenario: "Scenario", area: float | None, tension: float | None) -> St
     if tension is None and not scenario.as_built.is_empty:
         raise ModelError(
             "wire stress", got="a line as built, whose tension is not that of the design",
-            expected="the tension of the contact wire, which `arcless statics` tells",
+            expected="the tension of the contact wire, which `arcless statics` prints",
         )  # fmt: skip
     wire = line.contact_wire
     section = WireSection.of(wire, area)

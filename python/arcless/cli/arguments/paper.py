@@ -36,7 +36,7 @@ def fields_for(pdf: Path | None, texts: Sequence[str] | None) -> dict[str, str]:
     """
     if pdf is None:
         if texts:
-            raise typer.BadParameter("a field stands on the cover of a PDF file: give --pdf FILE",
+            raise typer.BadParameter("fields are for the cover of a PDF file: give --pdf FILE",
                                      param_hint="--field")  # fmt: skip
         return {}
     from arcless.report.paper.fields import parse_fields

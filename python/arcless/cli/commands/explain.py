@@ -49,7 +49,7 @@ def explain(
     """Explain the standard deviation σ of a run's contact force.
 
     Which part of the variance repeats with spans, which with droppers, which lies in the bands of
-    the pantograph's modes; σ by span; where the force deviates most, and what stands there. All of
+    the pantograph's modes; σ by span; where the force deviates most, and what is there. All of
     it comes from result.nc; only --sensitivity runs the scenario again. The section is that of the
     scenario, two spans at least.
     """

@@ -103,7 +103,7 @@ def assess(
     and low-pass filter are those of the scenario unless others are given.
 
     A CSV file is assessed in the same way: time or position, speed, and contact force, with units
-    in the header. Gaps, jumps and clipped samples are left out, and told; without --from and --to
+    in the header. Gaps, jumps and clipped samples are left out and listed; without --from and --to
     it is assessed as a whole.
 
     Exit code 3 means that a criterion is not met.

@@ -261,16 +261,21 @@ def _compute(
         except KeyboardInterrupt:
             _wait_for_end(_LEAVES_WITHIN_S[chosen.kind])
             if not quiet:
-                console.note(f"rows so far: {place.table}; go on with `{place.command('resume')}`")
+                console.note(
+                    f"rows so far: {place.table}; continue with `{place.command('resume')}`"
+                )
             raise
     facts = study_texts.facts_of(loaded, place, done)
     front = study_texts.front_of(loaded, place)
+    curves = study_texts.spacings_of(loaded, place)
     if json:
         best = {} if front is None else {"best": [row.variant for row in front]}
-        console.data(console.json_text(facts | best | {"table": str(place.table)}))
+        spacings = {"spacings": [curve.to_dict() for curve in curves]} if curves else {}
+        console.data(console.json_text(facts | best | spacings | {"table": str(place.table)}))
     else:
         study_texts.show_done(facts)
         study_texts.show_front(loaded, front)
+        study_texts.show_spacings(loaded, curves)
         console.data(f"wrote {place.table}")
     if not done.counts["done"]:
         raise typer.Exit(FAILED)

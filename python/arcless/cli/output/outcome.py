@@ -81,7 +81,7 @@ def _tell_stopped(result: "Result", file: Path, *, json: bool) -> None:
     place, time = f"{facts['position_m']:.2f} m", f"{facts['time_s']:g} s"
     console.data(f"stopped at {place}, {time}, after step {facts['step']}")
     say_written([file])
-    console.data(f"go on with: arcless resume {file}")
+    console.data(f"continue with: arcless resume {file}")
 
 
 def finish(assessment: dict[str, Any], *, quiet: bool) -> None:

@@ -6,6 +6,7 @@ from arcless.cli.terminal import console
 
 if TYPE_CHECKING:
     from arcless.study import Progress, Study, StudyFolder, StudyStatus
+    from arcless.study.analysis.spacings import SpacingCurve
     from arcless.study.journal.row import Row
 
 # Variants of a front that are printed.
@@ -51,7 +52,7 @@ def show_front(loaded: "Study", front: "list[Row] | None") -> None:
     if front is None:
         return
     if not front:
-        console.data("best: no variant that keeps the constraints")
+        console.data("best: no variant that meets the constraints")
     for row in front[:_MOST_SHOWN]:
         console.data(f"best: variant {row.variant}: {_in_words(loaded, row)}")
     if len(front) > _MOST_SHOWN:
@@ -67,6 +68,32 @@ def _in_words(loaded: "Study", row: "Row") -> str:
         number = "–" if value is None else f"{value:.6g} {unit_of_output(loaded, name)}".rstrip()
         parts.append(f"{name} {number}")
     return ", ".join(parts)
+
+
+def spacings_of(loaded: "Study", place: "StudyFolder") -> "list[SpacingCurve]":
+    """Return the curves over the spacing of two pantographs; none of other studies."""
+    from arcless.study.analysis.spacings import spacing_axis, spacing_curves
+
+    return [] if spacing_axis(loaded) is None else spacing_curves(loaded, place.rows())
+
+
+def show_spacings(loaded: "Study", curves: "list[SpacingCurve]") -> None:
+    """Print the worst and the best spacing of each curve."""
+    for curve in curves[:_MOST_SHOWN]:
+        shown = [
+            f"{axis.name} {axis.shown(curve.others[axis.name])}"
+            for axis in loaded.axes
+            if axis.name in curve.others
+        ]
+        where = f" at {', '.join(shown)}" if shown else ""
+        worst, best = (
+            f"{curve.spacings[i]:g} m ({curve.values[i]:.1f} N)" for i in (curve.worst, curve.best)
+        )
+        console.data(f"{curve.output}{where}: worst spacing {worst}, best {best}")
+    if len(curves) > _MOST_SHOWN:
+        console.data(f"and {len(curves) - _MOST_SHOWN} more curves over the spacing")
+    if curves:
+        console.data("`arcless study report` says which waves explain it")
 
 
 def show_done(facts: dict[str, Any]) -> None:

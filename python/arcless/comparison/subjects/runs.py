@@ -75,7 +75,7 @@ def opened(
                 "run that stopped early",
                 where=subject.scenario.name if file is None else str(file),
                 expected="a finished run",
-                hint="`arcless resume RUN` goes on with it",
+                hint="`arcless resume RUN` continues it",
             )
         found.append(subject)
     return found, files

@@ -113,7 +113,7 @@ def octaves(many: Overlaid, places: Places, key: str, title: str) -> list[Figure
             Axis("third octave about", "Hz", -0.6, centres.size - 0.4,
                  categories=tuple(named)),
             Axis("standard deviation σ", "N", 0.0), layers,
-            caption="Of the unfiltered force in the analysis section, from its spectrum.",
+            caption="From the spectrum of the unfiltered force in the analysis section.",
             alt=f"Standard deviation in third octaves. {'; '.join(reversed(alt))}.",
         )
     ]  # fmt: skip

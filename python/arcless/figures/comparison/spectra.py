@@ -48,7 +48,7 @@ def over_frequency(many: Overlaid, places: Places, key: str, title: str) -> list
     return [
         Figure(
             key, title, Axis("frequency", "Hz", 0.0, HIGHEST_HZ),
-            _decades(layers, "N²/Hz"), layers, caption="Of the unfiltered force in the analysis"
+            _decades(layers, "N²/Hz"), layers, caption="From the unfiltered force in the analysis"
             " section.", alt=f"Power spectral density over frequency. {alt}.",
         )
     ]  # fmt: skip
@@ -75,7 +75,7 @@ def over_wavelength(many: Overlaid, places: Places, key: str, title: str) -> lis
             key, title,
             Axis("wavelength", "m", low, high, logarithmic=True), _decades(layers, "N²·m"),
             list(layers), caption="The wavelength is the speed over the frequency, so that spans"
-            " and droppers stand at their lengths at any speed.",
+            "and droppers appear at their lengths at any speed.",
             alt=f"Power spectral density over wavelength. {'; '.join(reversed(alt))}.",
         )
     ]  # fmt: skip

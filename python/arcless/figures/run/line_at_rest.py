@@ -62,7 +62,7 @@ def elasticity(run: RunData) -> list[Figure]:
         Figure(
             "elasticity", f"{title}, {uneven}" if uneven else title, Axis(LABEL, "m"),
             Axis("elasticity", "mm/N", 0.0, 1.1 * float(values.max())), [curve],
-            caption="Of the span in the middle of the line, for a small force.",
+            caption="In the middle span of the line, for a small force.",
             alt=f"Elasticity of the contact wire from {values.min():.3f} to {values.max():.3f}"
             f" mm/N. {uneven}",
         )

@@ -27,7 +27,7 @@ UNITS: dict[str, dict[str, int]] = {
 }
 CATEGORIES = {
     "logStatusDiscard": "A step that could not be taken, or a value that there is not",
-    "logStatusError": "What was asked for wrongly",
+    "logStatusError": "Requests that are wrong",
     "logStatusFatal": "A fault of Arcless",
 }
 

@@ -220,7 +220,7 @@ def _check_wrapper(value: Mapping[str, Any], path: Path) -> None:
     for key in value:
         if key not in WRAPPED_IN:
             raise ModelError(
-                "unknown field beside a value",
+                "unknown field next to a value",
                 got=show(key),
                 expected=", ".join(WRAPPED_IN),
                 hint=after_comma(key, value) or "write a note that contains a comma in quotes",

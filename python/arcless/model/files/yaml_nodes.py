@@ -207,7 +207,7 @@ class _Composer:
             name: str = self._with_halves(child) if self._has_halves else child.value
             if name in entries:
                 first = entries[name][0].position.line
-                got = f"{show(name)} again; it stands in line {first}"
+                got = f"{show(name)} again; it is in line {first}"
                 raise self._refused(child, got, "each field once")
             if name == "<<":
                 expected = "fields written out, or an alias as value"

@@ -130,7 +130,7 @@ def _check_state(fmu: PantographFmu, description: FmuDescription) -> None:
             "an FMU whose state cannot be saved",
             where=str(description.file),
             got="a description without canGetAndSetFMUState",
-            expected="an FMU that can be asked for several forces of one step, or strip_mass",
+            expected="an FMU that can be evaluated for several forces in one step, or strip_mass",
             hint="export it with saved states; with strip_mass its heights are extrapolated from"
             " step to step, which is less exact",
             field=("strip_mass",),
@@ -196,7 +196,7 @@ def _check_real(
             "a variable of another causality",
             got=f"{name}, {plain(variable.causality)}",
             expected=" or ".join(causalities),
-            hint="what the line gives is an input of the FMU, what it asks for an output",
+            hint="an output of the line is an input of the FMU, and the reverse",
             field=field,
         )
 

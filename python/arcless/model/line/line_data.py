@@ -71,7 +71,7 @@ class LineData(Document):
         default=None, description="Hangers of a compound line; without it, as the droppers."
     )
     twin_contact_wires: TwinContactWires | None = Field(
-        default=None, description="A second contact wire beside the first, which it equals."
+        default=None, description="A second contact wire parallel to the first and equal to it."
     )
     midpoint_anchor: MidpointAnchor | None = Field(
         default=None, description="Holds the wires along the track; both their ends then move."

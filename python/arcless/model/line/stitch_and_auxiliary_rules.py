@@ -64,7 +64,7 @@ def _check_stitch_droppers(line: LineData, stitch: StitchWire) -> None:
 
 def _reach(nearest: float | None) -> str:
     if nearest is None:
-        return "give the spans beside the supports droppers"
+        return "give the spans next to the supports droppers"
     return f"a stitch wire of more than {2 * nearest:g} m, or a dropper nearer to each support"
 
 

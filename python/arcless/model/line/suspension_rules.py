@@ -38,7 +38,7 @@ def _check_hung(line: LineData) -> None:
     for name in ("contact_support", "bridle"):
         if getattr(line, name) is not None:
             raise ModelError(
-                f"{name.replace('_', ' ')} beside a messenger wire",
+                f"{name.replace('_', ' ')} with a messenger wire",
                 expected=f"messenger_wire, or {name}",
                 hint="droppers hold a contact wire below a messenger wire",
                 field=(name,),

@@ -131,7 +131,7 @@ def _check_raise(overlap: Overlap, found: list[Meeting]) -> None:
                 "a wire that hangs lower at its anchor than further in",
                 got=f"{inner:g} m after {outer:g} m",
                 expected="values that do not increase from the anchor inwards",
-                hint="the first value is that beside the anchor",
+                hint="the first value is the one next to the anchor",
                 field=("overlap", "raise", index),
             )
     raised = sum(value > 0 for value in overlap.raise_)

@@ -31,7 +31,7 @@ class MatrixJoint(Joint):
     """Stops, tables and friction along a motion of a pantograph given by matrices."""
 
     between: Vector = Field(
-        description="Motion that they look at: elongation for a unit of each coordinate."
+        description="Motion that they sense: elongation for a unit of each coordinate."
     )
 
     @model_validator(mode="after")
@@ -84,7 +84,7 @@ class PantographMatrices(Part):
     )
     joints: tuple[MatrixJoint, ...] = Field(
         default=(),
-        description="Stops, tables and friction beside the matrices.",
+        description="Stops, tables and friction in addition to the matrices.",
         max_length=MAX_COORDINATES,
     )
 

@@ -16,6 +16,14 @@ Word = Literal["tsi"]
 KMH = 3.6
 # A speed in km/h comes back from m/s with rounding, and must not slip below its limit by it.
 ROUNDING = 1e-9
+# Speed in m/s from which a distance in m holds, the highest first. 250 km/h has the distance of the
+# speeds above it, 120 and 80 km/h that of the speeds below.
+RANGES: Final = (
+    (250.0 * (1.0 - ROUNDING) / KMH, 200.0),
+    (120.0 * (1.0 + ROUNDING) / KMH, 85.0),
+    (80.0 * (1.0 + ROUNDING) / KMH, 15.0),
+    (0.0, 8.0),
+)
 
 
 def tsi_spacing(speed: float) -> float:
@@ -31,9 +39,4 @@ def tsi_spacing(speed: float) -> float:
     >>> tsi_spacing(250 / 3.6), tsi_spacing(200 / 3.6), tsi_spacing(120 / 3.6), tsi_spacing(20.0)
     (200.0, 85.0, 15.0, 8.0)
     """
-    kmh = speed * KMH
-    if kmh >= 250.0 * (1.0 - ROUNDING):
-        return 200.0
-    if kmh > 120.0 * (1.0 + ROUNDING):
-        return 85.0
-    return 15.0 if kmh > 80.0 * (1.0 + ROUNDING) else 8.0
+    return next((distance for lowest, distance in RANGES if speed > lowest), RANGES[-1][1])

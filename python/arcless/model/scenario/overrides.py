@@ -41,6 +41,7 @@ _EXCLUSIVE = {
     "displacement": ("file",),
     "catalogue": GIVES,
 }
+_SECOND = "`arcless new NAME --from SCENARIO --two-pantographs tsi` makes a scenario with two"
 
 
 def parse_override(text: str) -> tuple[str, Any]:
@@ -261,7 +262,8 @@ def _step(place: Any, name: str, above: list[str], path: str) -> str | int:
         if name.isdecimal() and int(name) < len(place):
             return int(name)
         expected = f"a number from 0 to {len(place) - 1}" if place else "the whole list"
-        raise ModelError(f"{path}: unknown item", got=show(name), expected=expected)
+        hint = _SECOND if (where, name) == ("pantographs", "1") else None
+        raise ModelError(f"{path}: unknown item", got=show(name), expected=expected, hint=hint)
     got = f"{where} is {show(place)}"
     whole = f"set {where} as a whole, for example {where}={{{name}: …}}"
     raise ModelError(

@@ -85,7 +85,7 @@ def _check_energy(scenario: ScenarioData) -> None:
             "no energy balance with updated kinematics",
             got="always",
             expected="auto or never, or solver.kinematics linearised",
-            hint="stiffness that is formed anew in each step belongs to no stored energy",
+            hint="stiffness that is formed again in each step belongs to no stored energy",
             field=("output", "energy"),
         )
 

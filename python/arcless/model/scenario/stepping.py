@@ -179,7 +179,7 @@ def _asked_for(scenario: ScenarioData) -> str:
         ("time_step", solver.time_step == ONE_ELEMENT, "a time step of one element"),
     ):  # fmt: skip
         if asked:
-            return f"solver.{name} asks for {reason}"
+            return f"solver.{name} requires {reason}"
     if scenario.contact.law == "rigid":
         return "rigid contact rings with a scheme that damps nothing"
     return ""

@@ -111,7 +111,7 @@ class Solver(Part):
         f" but lumped with the scheme {EXPLICIT}.",
     )
     dimension: Literal["auto", "planar", "spatial"] = Field(
-        default="auto", description="Planar or spatial; auto looks at stagger and steady arms."
+        default="auto", description="Planar or spatial; auto decides by stagger and steady arms."
     )
     contact_wire_element: ElementLength = Field(
         default="auto",

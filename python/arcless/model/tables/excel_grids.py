@@ -104,7 +104,7 @@ def _has_formulas(path: Path) -> bool:
 
 def _grid(sheet: Any, formulas: Any, where: str) -> Grid:
     if sheet.sheet_state != "visible":
-        raise ModelError("hidden sheet", where=where, got="a sheet that nobody sees",
+        raise ModelError("hidden sheet", where=where, got="a hidden sheet",
                          expected="a sheet that is shown",
                          hint="show it, or give it a name that begins with #")  # fmt: skip
     if sheet.max_row * sheet.max_column > MOST_CELLS:
@@ -112,7 +112,7 @@ def _grid(sheet: Any, formulas: Any, where: str) -> Grid:
             "too many cells", where=where,
             got=f"a sheet to row {sheet.max_row}, column {letters(sheet.max_column - 1)}",
             expected=f"at most {MOST_CELLS} cells",
-            hint="delete the empty rows and columns behind the table: formats stand in them",
+            hint="delete the empty rows and columns behind the table: they contain formats",
         )  # fmt: skip
     merged = _merged(sheet)
     rows: list[tuple[int, list[Cell]]] = []

@@ -259,11 +259,11 @@ def _number(text: str, kind: str, unit: str, got: str) -> float:
         error.expected = expected if is_finite else f"{expected}, finite"
         error.what, error.got = "no number", got
         if error.hint in (NUMBER_AND_UNIT, ONE_NUMBER):  # hints for where units are written
-            error.hint = "write a number such as 1.5; its unit stands in the header"
+            error.hint = "write a number such as 1.5; its unit is in the header"
         raise
     number = f"{value / to_si(f'1 {unit}', kind):.12g}"
     raise ModelError("a unit in a cell", got=got, expected=expected,
-                     hint=f"the unit stands in the header: write {number}")  # fmt: skip
+                     hint=f"the unit is in the header: write {number}")  # fmt: skip
 
 
 def _text(cell: str | int | float) -> str:

@@ -146,7 +146,7 @@ class _Given:
         first, _, _ = path.partition(".")
         if first in _OWN:
             expected = "a field that the base has"
-            hint = f"{first} stands in the variant itself" if path == first else None
+            hint = f"{first} is in the variant itself" if path == first else None
             where = origin.where(place)
             raise ModelError(f"set.{path}", where=where, expected=expected, hint=hint, field=place)
         entry: dict[str, str] = {}

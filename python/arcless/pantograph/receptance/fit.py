@@ -67,7 +67,7 @@ def fit(
             "the search for the masses did not end", where=data.name,
             got=f"{2 * least_squares.MOST_EVALUATIONS} evaluations with a misfit of"
             f" {100 * made.misfit:.3g} %", expected="a minimum",
-            hint="ask for one mass less: the data may not tell this many apart",
+            hint="use one mass less: the data may not distinguish this many",
         )  # fmt: skip
     return made
 
@@ -104,7 +104,7 @@ def check_order(data: MeasuredReceptance, order: int, damping: Damping) -> None:
             "order too high for the data", where=data.name,
             got=f"{order} masses, which are {parameters} parameters, from {count} frequencies",
             expected=f"at least {least} frequencies, {NUMBERS_EACH} numbers for each parameter",
-            hint="ask for fewer masses, or measure at more frequencies",
+            hint="use fewer masses, or measure at more frequencies",
         )  # fmt: skip
 
 
@@ -149,8 +149,7 @@ def _missed(made: Fit, limit: float) -> FitError:
         hint = "all phases lie within ±π degrees: are they radians? Then write phase [rad]"
     else:
         hint = (
-            "ask for one mass more, or for damping full; without an order the command lists what"
-            " each gives"
+            "use one mass more, or damping full; without an order the command lists what each gives"
         )
     return FitError(
         "the fit misses the data", where=made.data.name,

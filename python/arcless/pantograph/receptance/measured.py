@@ -267,5 +267,5 @@ def _not_passive(data: MeasuredReceptance, bad: NDArray[np.bool_]) -> Measuremen
         "not passive: the pantograph would give energy back", where=data.name,
         got=f"phases of the receptance outside of −180° to 0 at {listed(data.frequency[bad])},"
         f" by {np.degrees(data.outside[worst]):.0f}° at {data.frequency[worst]:g} Hz",
-        expected=f"phases in −180° to 0, but for noise of {np.degrees(NOISE_RAD):.0f}°", hint=hint,
+        expected=f"phases in −180° to 0, within {np.degrees(NOISE_RAD):.0f}° of noise", hint=hint,
     )  # fmt: skip

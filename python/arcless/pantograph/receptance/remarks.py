@@ -97,9 +97,9 @@ def _of_parameters(fit: Fit) -> list[str]:
     base = next(one for one in fit.parameters if one.kind == "stiffness")
     if base.sure > base.value:
         found.append(
-            f"the spring to the base, {base.value:.3g} ± {base.sure:.2g} N/m, cannot be told from"
-            " none: it decides how the force changes with the height of the wire, and is better"
-            " measured at rest"
+            f"the spring to the base, {base.value:.3g} ± {base.sure:.2g} N/m, cannot be"
+            " distinguished from none: it decides how the force changes with the height of the"
+            " wire, and is better measured at rest"
         )
     return found
 

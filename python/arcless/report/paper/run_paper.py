@@ -225,7 +225,7 @@ def _model(content: Mapping[str, Any]) -> Iterator[Block]:
 def _defaults(content: Mapping[str, Any]) -> Iterator[Block]:
     groups: list[Group] = content["groups"]
     if any(group.defaults for group in groups):
-        yield Paragraph("Values that nobody gave.", soft=True)
+        yield Paragraph("Default values.", soft=True)
     for group in groups:
         if group.defaults:
             yield from (Heading(group.title), _values(group.defaults))

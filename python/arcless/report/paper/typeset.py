@@ -107,7 +107,7 @@ def pdf(document: blocks.Document, fields: Mapping[str, str]) -> bytes:
         raise OutputError(
             "the document cannot be typeset",
             got=f"`{error}` of typst",
-            hint="the HTML page tells the same; please report this",
+            hint="the HTML page has the same content; report this as a defect",
         ) from error
     assert isinstance(made, bytes), "typst gives a document of one file"
     return made

@@ -89,7 +89,7 @@ def check_saved(scenario: Scenario) -> None:
     """
     for _, place in filter(None, places_of(scenario)):
         raise FmuError(
-            "a run with an FMU cannot stop early and go on later",
+            "a run with an FMU cannot stop early and continue later",
             where=place.field,
             got="an FMU, whose state is in its process alone",
             expected="a pantograph of masses or matrices",

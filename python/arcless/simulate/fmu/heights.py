@@ -58,7 +58,7 @@ ROUNDED = 1e-2
 
 @dataclass
 class MeasuredHeights:
-    """Heights of an FMU that can be asked for several forces of one step.
+    """Heights of an FMU that can be evaluated for several forces in one step.
 
     Attributes
     ----------

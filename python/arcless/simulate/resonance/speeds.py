@@ -19,6 +19,8 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from arcless.equilibrium.initial_configuration import InitialConfiguration
 from arcless.equilibrium.line_alone import LineAlone
+from arcless.model.pantograph.placement import placed
+from arcless.model.pantograph.spacing import RANGES
 from arcless.model.settings.run_settings import FASTEST_TRAIN
 from arcless.pantograph.natural_modes import Band, PantographMode, modes, why_no_modes
 from arcless.simulate.resonance.spans import Span, spans
@@ -27,6 +29,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from arcless.model import Scenario
+    from arcless.model.pantograph.placement import PantographPlacement
 
 Kind = Literal[
     "wave speed",
@@ -257,21 +260,39 @@ def _of_spacings(scenario: "Scenario", span: Span) -> "Iterator[ResonanceSpeed]"
     """Yield the worst and best speeds of pantographs one behind the other.
 
     Orders go up to where the band of frequencies covers half a period: beyond it worst and best
-    are not told apart.
+    are not told apart. A distance that is a word is another one in each range of speeds.
     """
     f = span.swing
     width = max(f.high - f.low, f.middle / (2.0 * MOST_PERIODS))
     most = max(1, floor(f.middle / (2.0 * width)))
-    for one, other in pairwise(scenario.pantographs):
-        distance = other.distance - one.distance
-        for half in range(1, 2 * most + 2):
-            k = half / 2.0
-            worst = half % 2 == 0
-            yield ResonanceSpeed(
-                "spacing, worst" if worst else "spacing, best",
-                f"{other.name} {distance:g} m behind {one.name}, {k:g} period{'s' * (k != 1)}",
-                f.scaled(distance / k), "v = f d/k", OWN_RUNS, f.middle, distance, k,
-            )  # fmt: skip
+    for lowest, highest, placements in _placed_by_speed(scenario):
+        for one, other in pairwise(placements):
+            distance = other.distance - one.distance
+            for half in range(1, 2 * most + 2):
+                k = half / 2.0
+                speed = f.scaled(distance / k)
+                if not lowest < speed.middle <= highest:
+                    continue
+                worst = half % 2 == 0
+                yield ResonanceSpeed(
+                    "spacing, worst" if worst else "spacing, best",
+                    f"{other.name} {distance:g} m behind {one.name}, {k:g} period{'s' * (k != 1)}",
+                    speed, "v = f d/k", OWN_RUNS, f.middle, distance, k,
+                )  # fmt: skip
+
+
+def _placed_by_speed(
+    scenario: "Scenario",
+) -> "Iterator[tuple[float, float, tuple[PantographPlacement, ...]]]":
+    """Yield lowest and highest speed in m/s, and the pantographs with their distances there."""
+    if not any(isinstance(one.distance_, str) for one in scenario.pantographs):
+        yield 0.0, inf, scenario.pantographs
+        return
+    highest = inf
+    for lowest, _ in RANGES:
+        inside = (lowest + min(highest, FASTEST_TRAIN)) / 2.0
+        yield lowest, highest, placed(scenario.pantographs, inside)
+        highest = lowest
 
 
 def _waves(what: str, order: int, span: Span) -> str:

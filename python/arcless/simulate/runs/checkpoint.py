@@ -127,17 +127,17 @@ def read(result: Result) -> State:
     facts, version = result.metadata["state"], result.metadata["arcless_version"]
     if facts is None or "state" not in result.dataset:
         raise ResultFormatError(
-            "the result holds no state to go on from",
+            "the result holds no state to continue from",
             got=f"a run of {result.metadata['steps']} steps that went to its end",
             hint='stop a run with `--until "600 m"`, or run(scenario, until="600 m")',
         )
     found = (facts.get("format") if isinstance(facts, dict) else None, version)
     if found != (STATE_FORMAT, _core.__version__):
         raise ResultFormatError(
-            "this version cannot go on from the state in the result",
+            "this version cannot continue from the state in the result",
             got=f"{show(found[0])} of version {version}",
             expected=f"{STATE_FORMAT} of version {_core.__version__}, which rounds alike",
-            hint="run the scenario again, or go on with the version that wrote it",
+            hint="run the scenario again, or continue with the version that wrote it",
         )
     values, parts = result.dataset["state"].values, facts.get("parts")
     step = facts.get("step")
@@ -175,7 +175,7 @@ def check_identity(result: Result, now: dict[str, str]) -> None:
         )
     if facts.get("line") != now["line"]:
         raise ResultFormatError(
-            "the line at rest has not come out as it did when the run began",
+            "the line at rest differs from that at the start of the run",
             expected="the same program on the same kind of machine",
             hint="run the scenario again from its start",
         )

@@ -188,7 +188,7 @@ FAULT = (
 )
 UNBALANCED = {
     "residual": ("the energy balance does not close", "1e-9", FAULT),
-    "damping": ("wires give energy in the place of damping", "−1e-5", FAULT),
+    "damping": ("wires supply energy instead of damping it", "−1e-5", FAULT),
     "switching": (
         "contacts and droppers that open and close take or give too much energy",
         "5 %",

@@ -236,7 +236,7 @@ def _not_reached(job: "Job", means: Floats, targets: Floats, tried: list[float])
         where=f"pantographs.{worst}.mean_force",
         got=f"{means[worst]:.2f} N, with a static force of {tried[worst]:.4g} N",
         expected=f"{targets[worst]:.2f} N within {TOLERANCE:g} N",
-        hint="lift and base spring give more than that by themselves: ask for a larger mean_force,"
+        hint="lift and base spring give more than that by themselves: give a larger mean_force,"
         " or look at lift and masses.0.stiffness of the pantograph"
         if means[worst] - tried[worst] > targets[worst]
         else "the mean does not follow the static force, mostly where contact is lost for long:"

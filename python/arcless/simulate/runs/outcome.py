@@ -80,7 +80,7 @@ def told(error: Exception) -> ArclessError:
     if isinstance(error, ArclessError):
         return error
     told = ArclessError(
-        "the run failed in a way that nobody has foreseen",
+        "the run failed in an unforeseen way",
         got=f"{type(error).__name__}: {error}",
         hint="run it alone with `arcless.run`, and report what it says",
     )

@@ -219,7 +219,7 @@ def check(scenario: Scenario, *, simulated: bool) -> None:
             raise _refusal(
                 "a mean force is found by whole runs",
                 f"{field}.mean_force",
-                hint="give static_force; static_force_found of a run tells which",
+                hint="give static_force; a run states it as static_force_found",
             )
 
 

@@ -205,7 +205,7 @@ class Controllers:
             controller = placement.controller
             if placement.name in self._given or (controller and controller.function):
                 raise ControlError(
-                    "a run with a controller in Python cannot stop early and go on later",
+                    "a run with a controller in Python cannot stop early and continue later",
                     where=f"pantographs.{index}.controller",
                     got="a function, whose memory cannot be saved",
                     expected="`pid`, or none",

@@ -16,9 +16,9 @@ _WORDS = (
         "give it another name, or open the studio on another folder",
     ),
     ("choose another folder with `--out`", "open the studio on another folder"),
-    ("begin anew in another folder with `--out`", "begin it anew under another name"),
-    ("begin anew with `--out NEW_FOLDER`", "begin it anew under another name"),
-    ("begin anew with `--out`", "begin it anew under another name"),
+    ("restart in another folder with `--out`", "start it under another name"),
+    ("restart with `--out NEW_FOLDER`", "start it under another name"),
+    ("restart with `--out`", "start it under another name"),
     ("if it has a folder of its own, name that with `--out`", "continue the study first"),
     ("resume without --retry-failed", "continue it without the failed variants"),
     (

@@ -100,9 +100,7 @@ def checked(subjects: object) -> list[str]:
     if not isinstance(subjects, list) or not all(isinstance(one, str) for one in subjects):
         raise Refused(400, "`subjects` is not a list of paths")
     if len(subjects) > MOST_RUNS:
-        raise Refused(
-            400, f"{len(subjects)} are ticked; {MOST_RUNS} at most are told apart in one figure"
-        )
+        raise Refused(400, f"{len(subjects)} are ticked; one figure shows at most {MOST_RUNS}")
     return subjects
 
 

@@ -36,7 +36,7 @@ def routes(project: Project) -> list[BaseRoute]:
         await socket.accept()
         if len(held) >= MOST_SESSIONS:
             await _refuse(socket, ModelError(
-                "too many sessions at once", expected=f"at most {MOST_SESSIONS}",
+                "too many sessions at the same time", expected=f"at most {MOST_SESSIONS}",
                 hint="end the one in the other window",
             ))  # fmt: skip
             return

@@ -51,8 +51,10 @@ def routes(project: Project) -> list[BaseRoute]:
         name, source = asked.get("name"), asked.get("from")
         if not isinstance(name, str) or not isinstance(source, str):
             raise Refused(400, "A new model needs a name, and the model to begin with")
-        whole = asked.get("with_pantographs") is True
-        return {"path": await run_sync(begun, project, name, source, whole)}
+        whole, spacing = asked.get("with_pantographs") is True, asked.get("two_pantographs")
+        if spacing is not None and not isinstance(spacing, str):
+            raise Refused(400, "The spacing of two pantographs is a text, such as tsi or 85 m")
+        return {"path": await run_sync(begun, project, name, source, whole, spacing)}
 
     return [
         route("new", new, "POST"),
@@ -68,7 +70,13 @@ def _schema() -> dict[str, Any]:
     return json_schema()
 
 
-def begun(project: Project, name: str, source: str, with_pantographs: bool) -> str:
+def begun(
+    project: Project,
+    name: str,
+    source: str,
+    with_pantographs: bool,
+    two_pantographs: str | None = None,
+) -> str:
     """Begin a model in the folder as `arcless new` does, and return its path there.
 
     Raises
@@ -79,7 +87,7 @@ def begun(project: Project, name: str, source: str, with_pantographs: bool) -> s
     if not is_shipped(source):
         raise ModelError("no model to begin with", got=show(source), expected="shipped:KIND/NAME")
     given = source.removeprefix("shipped:")
-    files = copies(name, given, with_pantographs=with_pantographs)
+    files = copies(name, given, with_pantographs=with_pantographs, two_pantographs=two_pantographs)
     write_copies(project.folder, files, json.dumps(json_schema(), indent=2) + "\n")
     return f"{name}.yaml"
 

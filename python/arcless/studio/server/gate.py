@@ -99,7 +99,7 @@ class Gate:
             answer.set_cookie(self._keys.cookie, session, httponly=True, samesite="strict")
             return answer
         if _is_api(scope):
-            text = "Open the address that the terminal shows again: the studio was started anew"
+            text = "Open the address that the terminal shows again: the studio was restarted"
             return JSONResponse({"error": {"text": text}}, 403)
         return HTMLResponse(_LOCKED, 403)
 

@@ -58,7 +58,7 @@ def _base(project: Project, place: StudyFolder, folder: Path) -> str:
     named = written_scenario(place.path)
     if named is None:
         raise ModelError(
-            "a variant of a scenario that stands in the study itself",
+            "a variant of a scenario that is written in the study itself",
             expected="a study that names its scenario",
             hint="`arcless study variant` writes the whole scenario",
         )
@@ -69,7 +69,9 @@ def _base(project: Project, place: StudyFolder, folder: Path) -> str:
         if found.is_file():
             return Path(os.path.relpath(found, folder)).as_posix()
     raise ModelError(
-        "the scenario of the study is not found", got=named, expected="a file beside the study file"
+        "the scenario of the study is not found",
+        got=named,
+        expected="a file next to the study file",
     )
 
 

@@ -54,7 +54,7 @@ class Execution(Part):
     @model_validator(mode="after")
     def _check_scheduler(self) -> "Execution":
         if self.scheduler is not None and self.kind != "dask":
-            expected = "kind: dask beside it"
+            expected = "kind: dask next to it"
             raise ModelError("scheduler without Dask", expected=expected, field=("scheduler",))
         if self.scheduler is not None and self.workers is not None:
             raise ModelError(

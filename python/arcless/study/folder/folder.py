@@ -190,8 +190,8 @@ class StudyFolder:
                 "the study is another one than when it was begun",
                 where=self.study.file or str(self.path),
                 got="other values, listed below",
-                expected=f"the study as it stands in {self.path / _COPY}",
-                hint="take the changes back, or begin anew in another folder with `--out`\n  "
+                expected=f"the study as it is in {self.path / _COPY}",
+                hint="take the changes back, or restart in another folder with `--out`\n  "
                 + "\n  ".join(fields),
             )
         return state
@@ -216,7 +216,7 @@ class StudyFolder:
                 "the rows are of another study, or all of them are damaged",
                 where=str(former),
                 expected="lines with the values that the design gives to their variants",
-                hint="begin anew in another folder with `--out`",
+                hint="restart in another folder with `--out`",
             )
         add(self.journal, there, self.hash)
         aside = self.path / _FORMER

@@ -1,7 +1,7 @@
 """Journals of version 1: one line of JSON a row, without seals, as studies had them before.
 
 What can be known to be wrong in a line: names, types, and values that are not those of its variant.
-A changed output that is still a number cannot be told from a right one.
+A changed output that is still a number cannot be distinguished from a right one.
 """
 
 import json

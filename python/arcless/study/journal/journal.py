@@ -225,6 +225,6 @@ def _not_read(path: Path, got: str) -> StudyError:
         "the journal of the study cannot be read",
         where=str(path),
         got=got,
-        expected="a file that may be read, and that nobody keeps locked",
+        expected="a readable file that no program keeps locked",
         hint="look who may read it and its folder, or try again",
     )

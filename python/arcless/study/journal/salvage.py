@@ -159,7 +159,7 @@ def _another(path: Path) -> StudyError:
         "the rows are of another study, or of another version of the journal",
         where=str(path),
         expected="the journal that was begun in this folder",
-        hint="put it back, or begin anew in another folder with `--out`",
+        hint="put it back, or restart in another folder with `--out`",
     )
 
 

@@ -23,7 +23,7 @@ class Constraint(Part):
     at_most: float | None = Field(default=None, description="Highest value that is allowed.")
     at_least: float | None = Field(default=None, description="Lowest value that is allowed.")
     hard: bool = Field(
-        default=False, description="Whether a run is stopped at once that has broken it for good."
+        default=False, description="Whether a run that violates it for good is stopped immediately."
     )
 
     def excess(self, value: float) -> float:

@@ -46,7 +46,7 @@ class Percentile(_Rule):
 
     kind: Literal["percentile"] = Field(description="Worse than a share of the others.")
     percentile: float = Field(
-        default=50.0, description="Share of the finished variants in % that go on.", gt=0, lt=100
+        default=50.0, description="Share of the finished variants in % that continue.", gt=0, lt=100
     )
 
 

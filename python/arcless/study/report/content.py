@@ -20,6 +20,7 @@ from arcless.study.report.figures.scatters import (
 )
 from arcless.study.report.figures.speeds import SpeedMarks, marks
 from arcless.study.report.sensitivity import sections
+from arcless.study.report.spacing import spacing_texts
 
 Groups = list[tuple[Column | None, list[Figure]]]
 
@@ -81,6 +82,7 @@ def study_content(record: Record) -> StudyContent:
     texts = {
         **_texts(record),
         **_speeds(speeds),
+        "spacing": spacing_texts(record) if record.done else [],
         "verdict": summary.headline(record, verdicts),
         "ranges": [] if canvas is None else summary.ranges(canvas),
         "criteria": criteria,
@@ -143,19 +145,19 @@ def _figures(canvas: Canvas, speeds: SpeedMarks | None) -> tuple[dict[str, Any],
 
 
 def _effects_text(canvas: Canvas) -> str:
-    parts = ["A mark is a variant; of a sweep they are joined."]
+    parts = ["Each mark is one variant; the marks of a sweep are connected."]
     if isinstance(canvas.record.study.design, Sample):
         parts.append(
-            "The line with bars has the means of the variants at each value, or of tenths of the"
-            " variants, with their standard error."
+            "The line with error bars shows the mean of the variants at each value, or of tenths of"
+            " the variants, with its standard error."
         )
     if len(canvas.varied) > MOST_VARIABLES:
         parts.append(
-            f"Of {len(canvas.varied)} variables the {MOST_VARIABLES} are drawn that explain most of"
-            " an output's variance, each by itself."
+            f"The figures show {MOST_VARIABLES} of {len(canvas.varied)} variables: those that alone"
+            " explain the largest share of the variance of an output."
         )
     if len(canvas.outputs) > MOST_OUTPUTS:
-        parts.append(f"The first {MOST_OUTPUTS} outputs are drawn.")
+        parts.append(f"The figures show the first {MOST_OUTPUTS} outputs.")
     return " ".join(parts)
 
 
@@ -165,7 +167,7 @@ def _pairs_text(canvas: Canvas) -> str:
         if len(canvas.varied) > PAIRED_VARIABLES
         else ""
     )
-    return f"Coloured by an output{most}. Where marks fall on each other, the last one is seen."
+    return f"Coloured by an output{most}. Of overlapping marks, the last one is visible."
 
 
 def _texts(record: Record) -> dict[str, Any]:

@@ -60,8 +60,8 @@ def html(study: Study, folder: Path | None = None) -> str:
 
 
 SELECTS = (
-    "Drag a box to select variants, or click one: they stay selected in all figures and in the"
-    " table; a click on empty ground takes it back."
+    "Drag a box or click to select variants in all figures and in the table. Click empty space to"
+    " clear the selection."
 )
 
 
@@ -89,6 +89,7 @@ def _contents(texts: dict[str, Any]) -> list[tuple[str, str]]:
         (done, "criteria", "Criteria"),
         (done, "outputs", "Outputs"),
         *((True, *one) for one in figures),
+        (texts["spacing"], "spacing", "Spacing of pantographs"),
         (texts["speeds"] or texts["speed_notes"], "speeds", "Resonance speeds"),
         (texts["sensitivity"], "sensitivity", "Sensitivity"),
         (texts["best"] is not None, "best", "Best variants"),

@@ -92,6 +92,7 @@ def _sections(content: StudyContent) -> Iterator[tuple[str, Iterator[Block]]]:
         yield "Outputs", _outputs(texts)
     for section in texts["rows"]:
         yield section.title, _pictures(section, content)
+    yield "Spacing of pantographs", map(Paragraph, texts["spacing"])
     yield "Resonance speeds", _speeds(texts)
     yield "Sensitivity", _sensitivity(content)
     yield "Best variants", _best(texts)

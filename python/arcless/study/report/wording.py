@@ -7,26 +7,27 @@ from arcless.study.folder.status import StudyStatus
 
 SPEEDS = (
     "Wave speeds, and speeds at which spans or droppers pass at a natural frequency of the line or"
-    " of a pantograph on it; from the line at rest. Those with a number are drawn in the figures"
-    " over speed. A peak is possible there, not certain. Sources: A, read there; D, from this"
-    " program."
+    " of a pantograph on it. They are computed from the line at rest. The figures over speed show"
+    " the numbered ones. A peak is possible there, not certain. Sources: A, read in the source; D,"
+    " from this program."
 )
 SOBOL = (
-    "Sobol indices: the share of an output's variance that a variable explains by itself (first"
-    " order), and with all that it has in common with others (total)."
+    "Sobol indices: the share of the variance of an output that a variable explains alone (first"
+    " order), and together with its interactions (total)."
 )
 MORRIS = (
-    "Morris' elementary effects: how much an output changes over all of a variable's range, from"
-    " one half of its levels to the other, twice that step; their mean, their mean size, and their"
-    " deviation, which is large where other variables matter to the effect."
+    "Elementary effects after Morris: the change of an output over the whole range of a variable,"
+    " twice the change from one half of its levels to the other. The table has their mean, the"
+    " mean of their magnitude, and their standard deviation, which is large if the effect depends"
+    " on other variables."
 )
-INDICES = "By SALib; ± is half of a 95 % interval (bootstrap)."
+INDICES = "Computed by SALib; ± is half of a 95 % bootstrap interval."
 STOPS = (
-    "pruned: the run was stopped as it could not become good any more. Values so far are of the"
-    " part of the section that was travelled, of a search for a mean force in its first run. These"
-    " variants are in no figure, list or front of this report."
+    "pruned: the run was stopped because it could no longer become the best. Its values are those"
+    " of the part of the section that it travelled; with a search for a mean force, those of the"
+    " first run. These variants are in no figure, list or front of this report."
 )
-NO_BEST = "No variant keeps the constraints."
+NO_BEST = "No variant meets the constraints."
 LOWEST = "The lowest value of an output is not necessarily the best."
 
 
@@ -34,10 +35,10 @@ def judged(*, any_criterion: bool) -> str:
     """Return how variants are judged."""
     none = "" if any_criterion else " No output of this study is a quantity with a limit."
     return (
-        "Each variant is judged by its own limits: from the rules at its speed, its mean force, and"
-        f" its line.{none} A limit that was not checked in a source (marks C, C*, assumed) does not"
-        " count: values beyond it are unverified, with the sign ?. A tolerance stands"
-        ' behind its limit, as in "116.9 + 1 N"; a margin has it in it.'
+        "Each variant is judged by its own limits: those of the rules at its speed, mean force and"
+        f" line.{none} A limit that was not checked in a source (marks C, C*, assumed) does not"
+        " count: values beyond it are unverified, with the sign ?. A tolerance follows"
+        ' its limit, as in "116.9 + 1 N"; a margin includes it.'
     )
 
 
@@ -46,8 +47,8 @@ def not_judged(titles: tuple[str, ...] | list[str]) -> str:
     if not titles:
         return ""
     return (
-        f"Not judged, as no output of this study has them: {'; '.join(titles)}. Add the output"
-        " `passed`, or `criteria.NAME` for one criterion, to judge all."
+        f"Not judged, because no output of this study provides them: {'; '.join(titles)}. Add the"
+        " output `passed`, or `criteria.NAME` for one criterion, to judge all."
     )
 
 
@@ -59,38 +60,32 @@ def outputs_of(study: Study) -> str:
 
 def percentiles(status: StudyStatus) -> str:
     """Return what percentiles and their intervals mean."""
-    others = " Variants without a value are left out: the percentiles are those of the others."
+    others = " Variants without a value are not included."
     return (
-        "Percentiles of the sample, and below them the 95 % interval that the number of variants"
-        " leaves, by order statistics: of independent draws it holds the true percentile at least"
-        " that often; a Latin hypercube or a Sobol sequence is at least as even as a rule. A dash:"
-        f" too few variants for a bound.{others if status.done < status.total else ''}"
+        "Percentiles of the sample with their 95 % intervals from order statistics. For independent"
+        " samples the interval contains the true percentile with at least this probability; a Latin"
+        " hypercube or a Sobol sequence is usually more even. A dash means too few variants for a"
+        f" bound.{others if status.done < status.total else ''}"
     )
 
 
 def blocks(count: int, left_out: int, why: str) -> str:
     """Return how much of a design indices are of, and why there are none."""
-    some = (
-        f"; {left_out} with a variant that has no value are left out: the indices are those of the"
-        " others"
-    )
+    some = f"; {left_out} with a variant without a value are not included"
     none = f" No indices: {why}." if why else ""
-    return f"{count} blocks of the design are whole{some if left_out else ''}.{none}"
+    return f"{count} blocks of the design are complete{some if left_out else ''}.{none}"
 
 
 def best(objectives: int) -> str:
     """Return of which variants the best are."""
-    front = ": none of the others is better in one objective and no worse in the rest"
-    return f"Of those that keep the constraints{front if objectives > 1 else ''}."
+    front = ": no other one is better in one objective and no worse in the rest"
+    return f"Among the variants that meet the constraints{front if objectives > 1 else ''}."
 
 
 def reasons(file: str | None) -> str:
     """Return what it means that a variant has no value."""
     again = f", `arcless study resume --retry-failed {file}` tries it again" if file else ""
-    return (
-        "invalid: the values make no scenario that can be computed; failed: the computation"
-        f" failed{again}."
-    )
+    return f"invalid: the values give no valid scenario; failed: the computation failed{again}."
 
 
 def again(file: str | None) -> str:

@@ -32,7 +32,7 @@ class Variable(Part):
         default=None, description="Distribution that a sample is drawn from."
     )
     random_field: RandomField | None = Field(
-        default=None, description="Errors along the line, drawn anew in every variant."
+        default=None, description="Errors along the line, drawn independently in every variant."
     )
     description: str = Field(default="", description="What it stands for, in a sentence.")
 

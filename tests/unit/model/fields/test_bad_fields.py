@@ -159,7 +159,7 @@ Refused = Callable[..., str]
         (
             "stiffness: 200 kN/m",
             "stiffness: {value: 200 kN/m, mark: A, note: soft, old}",
-            'line.yaml:14: dropper.stiffness.old: unknown field beside a value: got "old",'
+            'line.yaml:14: dropper.stiffness.old: unknown field next to a value: got "old",'
             " expected value, mark, source, note; hint: write a note that contains a comma in"
             " quotes",
         ),
@@ -303,7 +303,7 @@ def test_line(refused: Refused, old: str, new: str, message: str) -> None:
             "solver: {kinematics: updated}\noutput: {energy: always}\nspeed:",
             "scenario.yaml:7: output.energy: no energy balance with updated kinematics: got always,"
             " expected auto or never, or solver.kinematics linearised; hint: stiffness that is"
-            " formed anew in each step belongs to no stored energy",
+            " formed again in each step belongs to no stored energy",
         ),
         (
             "speed:",

@@ -23,7 +23,7 @@ HINT = "hint: write the decimal point as a point"
         ("{catalogue: Cu AC-100, tension: '10,5 kN'}", ['got "10,5 kN"', HINT]),
         (
             "{catalogue: Cu AC-100, tension: {value: 10,5 kN, mark: A}}",
-            ["unknown field beside a value", f"{HINT}: value: 10.5 kN"],
+            ["unknown field next to a value", f"{HINT}: value: 10.5 kN"],
         ),
         ("{mass: 1,35 kg/m, tension: 10 kN}", [f"{HINT}: mass: 1.35 kg/m"]),
         ("{catalogue: Cu AC-100, tension: 10 kN, bogus: null}", ['got "bogus"']),

@@ -32,7 +32,7 @@ BOMB = "a: &a [x, x, x, x, x, x, x, x, x]\n" + "\n".join(
         (b"a: \x07", "not valid YAML"),
         (b"- a", "x.yaml:1: not a model file: got a list of 1"),
         (b"a: 1\n---\nb: 2", "x.yaml:2: not a model file: got a second document"),
-        (b"name: a\nname: b", 'x.yaml:2: not a model file: got "name" again; it stands in line 1'),
+        (b"name: a\nname: b", 'x.yaml:2: not a model file: got "name" again; it is in line 1'),
         (b"a: !!python/object:os.system x", "plain YAML without tags"),
         (b"a: &a [*a]", "the alias *a inside its own anchor"),
         (b"a: *b", "x.yaml:1: not"),

@@ -72,15 +72,16 @@ WRONG: dict[str, tuple[dict[str, Any], str]] = {
     "causality": (
         {"causalities": {"contact_force": "output"}},
         "DIR/pantograph.yaml:3: fmu.contact_force: a variable of another causality: got"
-        " contact_force, output, expected input; hint: what the line gives is an input of the FMU,"
-        " what it asks for an output",
+        " contact_force, output, expected input; hint: an output of the line is an input of the"
+        " FMU, and the reverse",
     ),
     "state": (
         {"keeps_state": False},
         "DIR/pantograph.yaml:3 (DIR/pantograph.fmu): fmu.strip_mass: an FMU whose state cannot be"
-        " saved: got a description without canGetAndSetFMUState, expected an FMU that can be asked"
-        " for several forces of one step, or strip_mass; hint: export it with saved states; with"
-        " strip_mass its heights are extrapolated from step to step, which is less exact",
+        " saved: got a description without canGetAndSetFMUState, expected an FMU that can be"
+        " evaluated for several forces in one step, or strip_mass; hint: export it with saved"
+        " states; with strip_mass its heights are extrapolated from step to step, which is less"
+        " exact",
     ),
     "tool": (
         {"attributes": 'needsExecutionTool="true"'},

@@ -46,7 +46,7 @@ def test_without_the_fields_a_line_is_simple() -> None:
         (
             {"span_types__span__droppers__positions": []},
             "stitch_wire.length: no dropper on the stitch wire: got no dropper, expected one less"
-            " than 9 m, half of the stitch wire, from it; hint: give the spans beside the supports"
+            " than 9 m, half of the stitch wire, from it; hint: give the spans next to the supports"
             " droppers",
         ),
         (

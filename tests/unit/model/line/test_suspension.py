@@ -160,12 +160,12 @@ def test_a_rail_without_tension_must_resist_bending() -> None:
     [
         (
             {"contact_support": {"vertical_stiffness": 1e5}},
-            "contact_support: contact support beside a messenger wire: expected messenger_wire, or"
+            "contact_support: contact support with a messenger wire: expected messenger_wire, or"
             " contact_support; hint: droppers hold a contact wire below a messenger wire",
         ),
         (
             {"bridle": bridle_data()["bridle"]},
-            "bridle: bridle beside a messenger wire: expected messenger_wire, or bridle; hint:"
+            "bridle: bridle with a messenger wire: expected messenger_wire, or bridle; hint:"
             " droppers hold a contact wire below a messenger wire",
         ),
         (

@@ -97,7 +97,7 @@ def test_refused_tension_lengths(pairs: list[tuple[int, int]], message: str) -> 
             {"overlap__raise": [0.06, 0.5]},
             "overlap.raise.1: a wire that hangs lower at its anchor than further in: got"
             " 0.5 m after 0.06 m, expected values that do not increase from the anchor inwards;"
-            " hint: the first value is that beside the anchor",
+            " hint: the first value is the one next to the anchor",
         ),
         (
             {"overlap__raise": [0.5, 0.3, 0.1]},

@@ -86,7 +86,7 @@ def test_empty_variant(folder: Path) -> None:
         (f"base: {BASE}\nset:\n  speed: 200 km/h\n  line.tention: 3\n", 6, ("unknown field",)),
         (f"base: {BASE}\nset:\n  speed: 200 km\n", 5, ('speed: got "200 km"',)),
         (f"base: {BASE}\nset:\n  pantographs.0.mass: 3\n", 5, ("unknown field",)),
-        (f"base: {BASE}\nset:\n  name: other\n", 5, ("name stands in the variant itself",)),
+        (f"base: {BASE}\nset:\n  name: other\n", 5, ("name is in the variant itself",)),
         (
             f"base: {BASE}\nset:\n  speed: {{value: 200 km/h, source: memo}}\n",
             5,

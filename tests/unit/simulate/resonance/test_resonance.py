@@ -9,6 +9,7 @@ import pytest
 
 import arcless
 from arcless.model import Scenario, load, load_pantograph
+from arcless.model.pantograph.spacing import tsi_spacing
 from arcless.model.settings.run_settings import FASTEST_TRAIN
 from arcless.pantograph.natural_modes import modes
 from arcless.simulate.resonance import Band, ResonanceSpeed
@@ -172,6 +173,18 @@ def test_two_pantographs_one_behind_the_other(short: Short, placement: dict[str,
     assert len(speeds_of(two, "droppers and pantograph")) == len(
         speeds_of(short(), "droppers and pantograph")
     )  # equal pantographs are told once
+
+
+def test_a_spacing_that_follows_the_speed_has_marks_in_its_own_ranges(
+    short: Short, placement: dict[str, Any]
+) -> None:
+    behind = {**placement, "name": "P2", "distance": "tsi"}
+    two = short(pantographs=[placement, behind], speed="60 km/h")
+    marks = [one for word in ("worst", "best") for one in speeds_of(two, f"spacing, {word}")]
+    assert {one.length_m for one in marks} == {8.0, 15.0, 85.0, 200.0}
+    for one in marks:
+        assert one.length_m == tsi_spacing(one.speed.middle)
+        assert f"{one.length_m:g} m behind P1" in one.name
 
 
 def test_spans_of_several_lengths_have_speeds_of_their_own(short: Short) -> None:

@@ -48,7 +48,7 @@ def test_no_option_is_left() -> None:
 
 
 def test_a_study_that_was_begun() -> None:
-    for todo in ("choose another folder", "look at it, or begin anew"):
+    for todo in ("choose another folder", "see it, or restart"):
         words = in_page_words(f"{todo} with `--out NEW_FOLDER`")
         assert words.endswith("another name")
 

@@ -136,6 +136,11 @@ def test_a_model_begins_as_a_copy_of_a_shipped_one_and_of_nothing_else(tmp_path:
     assert "tension: {value: 22 kN" in (folder / "mine.yaml").read_text("utf-8")
     (tmp_path / "outside.yaml").write_text(TEXT, "utf-8")
     shipped = "shipped:line/ac-simple-55"
+    two = "shipped:scenario/germany-re-200-200"
+    assert begun(project, "pair", two, False, "tsi") == "pair.yaml"
+    assert "distance: {value: tsi" in (folder / "pair.yaml").read_text("utf-8")
+    with pytest.raises(ArclessError, match="begin with a scenario"):
+        begun(project, "b", shipped, False, "tsi")
     wrong = [("mine", shipped), ("../a", shipped), ("a", "shipped:line/nothing")]
     wrong += [("a", "mine.yaml"), ("a", "../outside.yaml"), ("a", f"{tmp_path}/outside.yaml")]
     for name, source in wrong:

@@ -173,7 +173,7 @@ def test_in_the_report(tmp_path: Path) -> None:
     shares = {"force": {"field": "pantographs.0.static_force", "range": [60, 90]}}
     made = filled(tmp_path, of=15, variables=shares, design={"kind": "morris", "count": 8})
     page = html(made, tmp_path)
-    assert "7 blocks of the design are whole; 1 with a variant" in page
+    assert "7 blocks of the design are complete; 1 with a variant" in page
     assert "mean size μ*" in page
     assert not mistakes_of(document_in(page))
 

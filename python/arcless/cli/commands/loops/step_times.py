@@ -49,7 +49,7 @@ def step_times(
         int | None,
         typer.Option(
             metavar="PRIORITY", show_default=False, min=1, max=99,
-            help="Ask for the real-time priority SCHED_FIFO, 1 to 99; 49 is usual.",
+            help="Use the real-time priority SCHED_FIFO, 1 to 99; 49 is usual.",
         ),
     ] = None,
     lock_memory: Annotated[
@@ -73,9 +73,10 @@ def step_times(
 ) -> None:  # fmt: skip
     """Measure how long the steps of a line take on this machine.
 
-    A step is due each time step of the clock, as on a test bench. Told are the time from waking up
-    to being done, the time from being due to being done, and how many steps were not done when the
-    next one was due. An empty loop takes turns with them: what it shows is the system's own.
+    A step is due each time step of the clock, as on a test bench. The command measures the time
+    from wake-up to completion, the time from the due time to completion, and how many steps were
+    not complete when the next one was due. An empty loop alternates with the steps and shows the
+    share of the operating system.
     """
     _check(seconds, to)
     given = load(scenario, speed=speed, changes=changes, quiet=quiet)

@@ -1,1 +1,1 @@
-"""Commands on model files: what is shipped, models of one's own, checks, line tables."""
+"""Commands on model files: shipped models, own models, checks, line tables."""

@@ -61,7 +61,7 @@ def export(
         typer.Option(
             "--pantograph",
             metavar="NAME",
-            help="A pantograph by itself in the place of the line; contact forces are its inputs.",
+            help="The pantograph alone instead of the line; contact forces are its inputs.",
             show_default=False,
         ),
     ] = None,
@@ -90,7 +90,7 @@ def export(
 
     if pantograph is not None and given not in (None, "contact-force"):
         raise ModelError(
-            "inputs of a pantograph by itself",
+            "inputs of a pantograph alone",
             where="--given",
             got=given,
             expected="contact-force, or no --given",

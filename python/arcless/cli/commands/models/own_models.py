@@ -1,4 +1,4 @@
-"""`arcless show` and `arcless new`: shipped models as text, and models of one's own."""
+"""`arcless show` and `arcless new`: shipped models as text, and own models."""
 
 from pathlib import Path
 from typing import Annotated
@@ -51,6 +51,28 @@ def new(
     with_pantographs: Annotated[
         bool, typer.Option("--with-pantographs", help="Copy the scenario's pantographs, too.")
     ] = False,
+    two_pantographs: Annotated[
+        str | None,
+        typer.Option(
+            "--two-pantographs",
+            metavar="SPACING",
+            help="Add a second pantograph like the scenario's one, so far behind it: a length such "
+            "as '100 m', or tsi: that of the TSI for the speed (200 m from 250 km/h, 85 m above "
+            "120, 15 m above 80, else 8 m), which follows the speed.",
+            show_default=False,
+        ),
+    ] = None,
+    scenario: Annotated[
+        str | None,
+        typer.Option(
+            "--scenario",
+            metavar="SCENARIO",
+            help="The scenario that the copy of a study varies: a shipped name, or a file relative "
+            "to the copy.",
+            autocompletion=names.scenarios,
+            show_default=False,
+        ),
+    ] = None,
     table: Annotated[
         Path | None,
         typer.Option(
@@ -62,7 +84,7 @@ def new(
         ),
     ] = None,
 ) -> None:
-    """Begin a model of one's own with a shipped one.
+    """Create a model of your own from a shipped one.
 
     NAME.yaml is written with all comments and sources, of a scenario also its line,
     NAME-line.yaml, and arcless.schema.json, by which an editor knows fields and units. No file is
@@ -71,7 +93,8 @@ def new(
     from arcless import study
     from arcless.model.own_copy import KINDS, copies, write_copies
 
-    files = copies(name, source, with_pantographs=with_pantographs)
+    files = copies(name, source, with_pantographs=with_pantographs,
+                   two_pantographs=two_pantographs, scenario=scenario)  # fmt: skip
     if table is not None:
         files |= _with_table(name, files, table)
     schema = console.json_text(study.json_schema()) + "\n"

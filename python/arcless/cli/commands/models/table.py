@@ -58,7 +58,7 @@ def table(
     There is a row for each span, support and dropper, and a unit in the header of each column.
     With --from, the file LINE is changed only where the tables say something else; its comments,
     wires and tensions stay. With --to, tables that exist are replaced only if --overwrite is
-    given. A table that is wrong is told by sheet, row and column, and the file stays as it is.
+    given. An error in a table is reported by sheet, row and column, and the file is unchanged.
     """
     from arcless.errors import ModelError
 

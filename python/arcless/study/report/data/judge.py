@@ -206,7 +206,7 @@ def _asked_force(
     rule = next(iter(rules.values()))
     return [
         Judged(name, rule.title, None, rule.relation, values, limits, codes, rule.unit, sure,
-               tuple(rules), rule.source, "the mean force that the scenario asks for", places,
+               tuple(rules), rule.source, "the mean force that the scenario requires", places,
                rule.tolerance)
     ]  # fmt: skip
 

@@ -138,7 +138,7 @@ class Limits:
         """Return where a limit is from."""
         if rule.limit.of == MEAN and not self._share:
             measured = all(place in self._means for place in self._owners)
-            whose = "of the variant" if measured else "that the scenario asks for"
+            whose = "of the variant" if measured else "that the scenario requires"
             return f"{rule.limit.factor:g} × the mean force {whose}"
         if rule.limit.per_speed_squared:
             return f"{rule.limit.per_speed_squared:g} v² + {rule.limit.constant:g}, v in km/h"

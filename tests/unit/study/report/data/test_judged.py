@@ -71,7 +71,7 @@ def test_a_mean_force_that_is_asked_for_stands_for_one_that_is_no_output(tmp_pat
     sigma = item(found, "standard_deviation")
     assert words(sigma.codes) == [MET, TOO_CLOSE, NOT_MET]
     assert sigma.owners == (1,)
-    assert "that the scenario asks for" in sigma.how
+    assert "that the scenario requires" in sigma.how
     assert "standard deviation σ (leading)" in found.unknown
 
 

@@ -1,18 +1,13 @@
-"""Style of comments, and the names in the nomenclature.
-
-``python -m tests.prose`` names each place that breaks house rule 3 of CONTRIBUTING.md, and each
-name in the nomenclature that is not in the code; `make lint` runs it.
-"""
+"""Style of comments: house rule 3 of CONTRIBUTING.md; and the names in the nomenclature."""
 
 import ast
 import io
 import re
-import sys
 import tokenize
 from collections.abc import Iterator
 from pathlib import Path
 
-ROOT = Path(__file__).parents[1]
+ROOT = Path(__file__).parents[2]
 LONGEST = 100
 
 # Such a first line names nothing: it is understood from the line above it only.
@@ -107,27 +102,3 @@ def unknown_names(sources: str) -> Found:
         for name in re.findall(r"`(\w+)`", "".join(cells[NAMES_IN_CODE : NAMES_IN_CODE + 1])):
             if name not in known:
                 yield number, f"`{name}` is no name in the code"
-
-
-def main() -> None:
-    """Name what is wrong in all files; end with 1 if anything is."""
-    code = [*(ROOT / "python").rglob("*.py"), *(ROOT / "crates").rglob("*.rs")]
-    sources = "\n".join(path.read_text(encoding="utf-8") for path in code)
-    files = [
-        (path, in_python)
-        for folder in ("python", "tests")
-        for path in (ROOT / folder).rglob("*.py")
-    ]
-    files += [(path, in_rust) for path in (ROOT / "crates").rglob("*.rs")]
-    lines = [
-        f"{path.relative_to(ROOT)}:{number}: {text}"
-        for path, check in sorted(files, key=lambda entry: entry[0])
-        for number, text in check(path)
-    ]
-    name = NOMENCLATURE.relative_to(ROOT)
-    lines += [f"{name}:{number}: {text}" for number, text in unknown_names(sources)]
-    sys.exit("\n".join(lines) or None)
-
-
-if __name__ == "__main__":
-    main()
