@@ -21,12 +21,14 @@ from reference import names as required
 from reference import tables
 from theory import readings
 from validation import (
+    adif,
     choices,
     conclusions,
     converging,
     core_faults,
     evidence,
     library,
+    mid_span,
     praks,
     praks_in_space,
     published,
@@ -61,7 +63,7 @@ FRAGMENTS = [
     *_of("validation/", published.SLOW, slow=True),
     *_of("validation/", {
         "library": library.SLOW,
-        "lines": shipped.TABLES | spacing.TABLES,
+        "lines": shipped.TABLES | adif.TABLES | mid_span.TABLES | spacing.TABLES,
         "spacing": spacing_lines.TABLES,
         "modelling-choices": choices.TABLES,
         "convergence-published": converging.TABLES,

@@ -5,7 +5,8 @@ Section and stress are not in a model file. As of copper, ρ = 8900 kg/m³, they
     A = m/ρ,   σ = T/A,   ε = T/EA,   c_l = √(EA/m) = √(E/ρ)
 
 c_l is the speed of longitudinal waves, a constant of the material: 3.4 to 3.8 km/s for copper and
-its alloys, 5.1 km/s for steel and for aluminium. Strands have all of their mass and less of E.
+its alloys, 5.1 km/s for steel and for aluminium. Strands have all of their mass and less of E;
+those of aluminium and steel are light: 200 MPa of them are 390 MPa as of copper.
 
 The ranges hold the shipped lines, with room to either side: they are there to catch kN for N and mm
 for m, not to judge a design. Assumed; none is from a standard.
@@ -35,7 +36,7 @@ class UsualRange(NamedTuple):
 
 
 MASS = UsualRange(0.3, 3.0, "kg/m")
-STRESS = UsualRange(20.0, 350.0, "MPa", 1e6)
+STRESS = UsualRange(20.0, 450.0, "MPa", 1e6)
 STRAIN = UsualRange(0.01, 0.5, "%", 1e-2)
 LONGITUDINAL = UsualRange(2.5, 5.5, "km/s", 1e3)
 WAVE_SPEED = UsualRange(200.0, 650.0, "km/h", 1 / 3.6)

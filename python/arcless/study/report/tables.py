@@ -159,8 +159,13 @@ def _ways(variable: Variable, names: Sequence[str]) -> str:
         low, high = (_amount(end) for end in variable.range)
         return f"{low} to {high}" + (f", {variable.count} values" if variable.count else "")
     if variable.random_field is not None:
-        spread, length = variable.random_field.model_dump().values()
-        return f"random field, standard deviation {spread:g} m, correlation length {length:g} m"
+        field = variable.random_field
+        size = (
+            f"standard deviation {field.standard_deviation:g} m"
+            if field.bound is None
+            else f"equally likely within ±{field.bound:g} m"
+        )
+        return f"random field, {size}, correlation length {field.correlation_length:g} m"
     given = variable.distribution
     assert given is not None
     if isinstance(given, Choice):

@@ -4,6 +4,11 @@ Zero mean, covariance of the errors at x and x′: C = σ² exp(−|x − x′|/
 memory beyond its last value, so it is drawn exactly, from place to place:
 e₁ = σ z₁, e_{i+1} = ρ e_i + σ √(1 − ρ²) z_{i+1}, ρ = exp(−(x_{i+1} − x_i)/ℓ), z standard normal.
 Source: Rasmussen and Williams, Gaussian Processes for Machine Learning (2006), section 4.2.1.
+
+Errors within ±b are the same process with σ = 1, each value y brought to where a uniform one
+stands, e = b (2Φ(y) − 1). Every error between −b and b is as likely, and those of two places have
+the covariance C = (b²/3) (6/π) arcsin(exp(−|x − x′|/ℓ)/2).
+Source: Pearson, On Further Methods of Determining Correlation (1907), the correlation of ranks.
 """
 
 import math
@@ -12,8 +17,9 @@ from dataclasses import dataclass
 from statistics import NormalDist
 from typing import Annotated, Any
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
+from arcless.errors import ModelError
 from arcless.model import Line
 from arcless.model.fields.part import Part, Unit
 from arcless.model.line.places.dropper_names import DropperName, droppers_called
@@ -27,13 +33,37 @@ _STANDARD = NormalDist()
 class RandomField(Part):
     """Errors of all droppers, or of all supports, of a line."""
 
-    standard_deviation: Annotated[float, Unit("m", above=0, maximum=0.2)] = Field(
-        description="Standard deviation of the error of each."
+    standard_deviation: Annotated[float, Unit("m", above=0, maximum=0.2)] | None = Field(
+        default=None, description="Standard deviation of the error of each, of normal errors."
+    )
+    bound: Annotated[float, Unit("m", above=0, maximum=0.5)] | None = Field(
+        default=None,
+        description="Largest error either way, of errors that are equally likely up to it.",
     )
     correlation_length: Annotated[float, Unit("m", minimum=0, maximum=1e5)] = Field(
         description="Distance over which the correlation falls to 1/e; 0 for errors that have"
         " nothing to do with each other."
     )
+
+    @model_validator(mode="after")
+    def _check_size(self) -> "RandomField":
+        if (self.standard_deviation is None) == (self.bound is None):
+            both = self.bound is not None
+            raise ModelError(
+                "size of the errors", got="both of them" if both else "neither of them",
+                expected="standard_deviation of normal errors, or bound of equally likely ones",
+                field=("bound",) if both else (),
+            )  # fmt: skip
+        return self
+
+    @property
+    def deviation(self) -> float:
+        """Standard deviation of the process: in m, or 1 of what is brought within a bound."""
+        return 1.0 if self.standard_deviation is None else self.standard_deviation
+
+    def error(self, value: float) -> float:
+        """Return the error in m at a value of the process."""
+        return value if self.bound is None else self.bound * (2.0 * _STANDARD.cdf(value) - 1.0)
 
 
 @dataclass(frozen=True)
@@ -79,15 +109,15 @@ def errors(path: str, field: RandomField, line: Line, number: float) -> list[dic
     found = []
     for x, name in FIELDS[path].places(line):
         draw = _STANDARD.inv_cdf(min(max(float(random.random()), 2.0**-53), 1.0 - 2.0**-53))
-        error = field.standard_deviation * draw
+        value = field.deviation * draw
         process = name.tension_length, getattr(name, "wire", None)
         if process in last:
             before, x_before = last[process]
             kept = _correlation(x - x_before, field.correlation_length)
-            error = kept * before + math.sqrt(1.0 - kept * kept) * error
-        last[process] = (error, x)
+            value = kept * before + math.sqrt(1.0 - kept * kept) * value
+        last[process] = (value, x)
         whole = {key: part for key, part in name._asdict().items() if part is not None}
-        found.append({**whole, FIELDS[path].error: error})
+        found.append({**whole, FIELDS[path].error: field.error(value)})
     return found
 
 

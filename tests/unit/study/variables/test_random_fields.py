@@ -16,7 +16,7 @@ from arcless.study.report import html
 from arcless.study.variables.random_fields import DRAWINGS, FIELDS, RandomField, errors
 from tests.support.studies import QUICK, VARIABLES, rows, study
 
-SIGMA, LENGTH, DRAWN = 0.004, 20.0, 4000
+SIGMA, BOUND, LENGTH, DRAWN = 0.004, 0.03, 20.0, 4000
 DROPPERS, SUPPORTS = FIELDS
 BOTH = pytest.mark.parametrize("path", FIELDS)
 # Some of them, four tension lengths and all: enough to see a covariance.
@@ -57,6 +57,40 @@ def test_a_wrong_correlation_length_is_noticed(path: str) -> None:
     x, found = sample(path, RandomField(standard_deviation=SIGMA, correlation_length=1.5 * length))
     exact = np.exp(-np.abs(x[:, None] - x) / length)
     assert np.abs(found.T @ found / DRAWN / SIGMA**2 - exact).max() > 5 * 0.0224
+
+
+@BOTH
+@pytest.mark.parametrize("length", [LENGTH, 0.0])
+def test_errors_within_a_bound_are_equally_likely(path: str, length: float) -> None:
+    field = RandomField(bound=BOUND, correlation_length=length)
+    x, found = sample(path, field)
+    assert np.abs(found).max() <= BOUND
+    # A share of p of n is found to √(p (1 − p)/n) ≤ 0.0079; of all places the worst within five.
+    for share in (0.1, 0.5, 0.9):
+        below = (found < BOUND * (2.0 * share - 1.0)).mean(axis=0)
+        np.testing.assert_allclose(below, share, atol=5 * 0.0079)
+    distance = np.abs(x[:, None] - x)
+    normal = np.exp(-distance / length) if length else np.eye(len(x))
+    exact = 6.0 / math.pi * np.arcsin(normal / 2.0)
+    # Products of bounded values scatter less than those of normal ones, for which 0.0224 holds.
+    spread = BOUND**2 / 3.0
+    np.testing.assert_allclose(found.T @ found / DRAWN / spread, exact, atol=5 * 0.0224)
+
+
+@pytest.mark.parametrize(
+    ("field", "got"),
+    [
+        ({"correlation_length": "20 m"}, "neither of them"),
+        (
+            {"standard_deviation": "4 mm", "bound": "30 mm", "correlation_length": "20 m"},
+            "both of them",
+        ),
+    ],
+)
+def test_errors_have_one_size(field: dict[str, str], got: str) -> None:
+    variables = {"errors": {"field": DROPPERS, "random_field": field}}
+    with pytest.raises(ModelError, match=rf"size of the errors: got {got}, expected standard_dev"):
+        study(variables=variables, design=SAMPLE)
 
 
 @BOTH
