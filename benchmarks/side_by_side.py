@@ -126,7 +126,7 @@ def _in_space(progress: Callable[[str], None]) -> list[list[str]]:
     rows = [
         row("AC simple in space, 10 spans, 1 s", "Arcless, with a matrix", one, own, own),
         # Other elements, so other forces.
-        row("", "Arcless, explicit steps, as shipped", chains, explicit, (own[0], explicit[1])),
+        row("", "Arcless, explicit steps, default", chains, explicit, (own[0], explicit[1])),
     ]
     return rows + _beside_exudyn("AC simple in space", scenario, one, own, progress)
 

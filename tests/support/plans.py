@@ -1,4 +1,4 @@
-"""How straight wires lie in plan: in the plane, across the track, or from side to side of it.
+"""Plans of straight wires: in the plane, across the track, or from side to side of it.
 
 To first order a wire swings up and down, and from side to side, independently of one another: its
 tension is the same in all directions, and a contact pushes it upward only. So closed forms of the

@@ -82,7 +82,7 @@ def run(name: str, size: float, speed: float, where: str) -> Run:
 
 
 def measured(springs: list[float], more: Travelled, hertz: Floats, speed: float) -> Complex:
-    """C at ω − iσ: by least squares over all springs that have no force beside them."""
+    """C at ω − iσ: by least squares over all springs that have no force next to them."""
     omega = 2.0 * np.pi * hertz
     weight = np.exp(-WEIGHED * more.time)[:, None]
     moved = spectrum(more.time, weight * more.nodes, omega)
