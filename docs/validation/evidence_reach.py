@@ -8,8 +8,7 @@ from arcless.validate.evidence import Topic
 
 HEAD = """## In space, under motion, behind another pantograph
 
-Where the product is used hardest, and how far the checks reach there. A topic may stand in several
-rows.
+The uses that matter most, and how far the checks reach there. A topic may appear in several rows.
 """
 
 
@@ -35,17 +34,19 @@ MOVING = tuple(f"closed_forms/moving_{name}" for name in ("kink", "head", "stiff
 REACHES = (
     Reach(
         "a line in space, at rest",
-        ("conservation/staggered_line", "closed_forms/curve", "closed_forms/bands"),
-        "arms are springs of force over length; wires in curves; stagger beside the planar line",
-        "another program's line in space; published elasticities of a line with stagger",
+        ("conservation/staggered_line", "closed_forms/curve", "closed_forms/bands",
+         "closed_forms/opposed_stagger", "peers/exudyn_space_statics"),
+        "arms are springs of force over length; wires in curves; stagger compared with the planar"
+        " line; opposed staggers; another program's line",
+        "published elasticities of a line with stagger",
     ),
     Reach(
         "a line in space, under motion",
         ("closed_forms/moving_on_stagger", "closed_forms/bands", "conservation/rolling_head",
-         "conservation/mirror", "limits/shipped_scenarios"),
+         "conservation/mirror", "limits/shipped_scenarios", "peers/exudyn_space_run"),
         "closed forms of the plane hold with stagger while the wire swings aside, at 275 and"
-        " 320 km/h; bands on hinged arms; energy with a head that rolls",
-        "another program's run in space; arms that turn far from where they are at rest; a wire"
+        " 320 km/h; bands on hinged arms; energy with a head that rolls; another program's run",
+        "arms that turn far from where they are at rest; a wire"
         " with stagger whose tension changes; a measured run",
     ),
     Reach(
@@ -60,10 +61,11 @@ REACHES = (
     Reach(
         "behind another pantograph",
         ("closed_forms/moving_pair", "closed_forms/moving_on_stagger", "conservation/far_apart",
-         "limits/pairs", "references/spacing"),
+         "limits/pairs", "references/spacing", "references/wake", "peers/exudyn_space_run"),
         "what the trailing one feels and when, on one wire, also with stagger; shipped lines"
-        " against the limit; the trend over the spacing",
-        "a trailing pantograph in another program, or measured",
+        " against the limit; the trend over the spacing, and what one pantograph alone predicts of"
+        " it; another program's run with two",
+        "a measured trailing pantograph",
     ),
 )  # fmt: skip
 
