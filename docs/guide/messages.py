@@ -23,13 +23,12 @@ COUNT = 20
 SCENARIO = "my-scenario.yaml"
 # Messages are one line each; a terminal breaks them where it ends.
 ENVIRONMENT = {"COLUMNS": "10000", "NO_COLOR": "1"}
-HEAD = """# Twenty mistakes of a first day
+HEAD = """# Common mistakes and their messages
 
-What was typed, what Arcless says, and what to do. The files are `my-line.yaml` and
-`my-scenario.yaml` of [model files](../reference/model-files.md#an-example), each time with one
-mistake. A message says where, what is wrong, what was given (`got`), what is `expected`, and a
-`hint`. Exit code 2 means that the input is wrong, 1 that the computation failed, 0 that there are
-warnings at most. This page is what the program says: `make pages` writes it.
+Each section has an input with one mistake, the message, and the remedy. The files are `my-line.yaml` and
+`my-scenario.yaml` of [model files](../reference/model-files.md#an-example). A message states the place, the error, the given
+value (`got`), the `expected` one, and a `hint`. Exit code 2 means wrong input, 1 a failed computation, 0 at most warnings.
+`make pages` writes this page from the messages of the program.
 """
 
 
