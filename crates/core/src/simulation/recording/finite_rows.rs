@@ -52,6 +52,8 @@ mod tests {
     use crate::energy_terms::EnergyTerms;
     use crate::simulation::recording::record::Record;
 
+    type Spoil = fn(&mut Record);
+
     fn record() -> Record {
         Record {
             time: vec![0.0, 1.0, 2.0, 3.0],
@@ -87,7 +89,7 @@ mod tests {
 
     #[test]
     fn rows_from_the_first_number_on_that_is_not_finite_are_removed() {
-        let spoils: [(fn(&mut Record), [usize; 8]); 5] = [
+        let spoils: [(Spoil, [usize; 8]); 5] = [
             (|_| (), [4, 8, 8, 2, 6, 2, 4, 12]),
             (|r| r.force[5] = f64::NAN, [2, 4, 4, 1, 3, 1, 2, 6]),
             (|r| r.uplift[4] = f64::INFINITY, [2, 4, 4, 1, 3, 1, 2, 6]),
