@@ -24,7 +24,7 @@ from cross.toolchain import (
     run,
     unpacked,
 )
-from cross.wine_libraries import complete
+from cross.wine_libraries import complete, put_random_numbers
 
 TARGET = "x86_64-pc-windows-gnu"
 PLATFORM, LIBRARY = "x86_64-windows", "arcless_loop.dll"
@@ -77,9 +77,12 @@ def library() -> None:
 
 def core() -> None:
     """Run the tests of the numerical core under wine."""
+    libraries = _UNDER_WINE / "libraries"
+    put_random_numbers(libraries)
     environment = unpacked() | {
         f"CARGO_TARGET_{_capital()}_LINKER": _linker(),
         f"CARGO_TARGET_{_capital()}_RUNNER": need("wine64", "wine64"),
+        "WINEPATH": f"Z:{libraries}",
         **_wine(),
     }
     run(

@@ -47,8 +47,14 @@ def complete(site: Path, program: Path) -> None:
         _library(program / ours, "\n".join(["#include <complex.h>", *own.values()]), exported)
         for path in users:
             path.write_bytes(path.read_bytes().replace(windows.encode(), ours.encode()))
-    _library(program / "bcryptprimitives.dll", _RANDOM, None)
+    put_random_numbers(program)
     (program / "_wmi.pyd").unlink(missing_ok=True)  # asks what wine does not answer
+
+
+def put_random_numbers(folder: Path) -> None:
+    """Write the library with random numbers that Rust's standard library calls."""
+    folder.mkdir(parents=True, exist_ok=True)
+    _library(folder / "bcryptprimitives.dll", _RANDOM, None)
 
 
 def _complex(name: str) -> str | None:
