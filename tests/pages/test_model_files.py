@@ -63,7 +63,7 @@ def test_shipped_lines_give_no_warning(name: str) -> None:
 
 def test_the_line_types_of_the_guide_load() -> None:
     text = (DOCS / "guide/line-types.md").read_text(encoding="utf-8")
-    stitched, compound, opposed = (
+    stitched, compound, _ = (
         parse(t, "guide")[0] for t in re.findall(r"```yaml\n(.*?)```", text, re.S)
     )
     ours, shipped = load_line(stitched_data(**stitched)), load_line("norway-s25")

@@ -198,7 +198,7 @@ def test_explicit_steps_see_the_same_curve(run: Run) -> None:
 
 
 def test_planar_models_have_no_curves(short: Short) -> None:
-    with pytest.raises(ModelError, match="stagger, curves or hinged"):
+    with pytest.raises(ModelError, match="stagger, curves, hinged"):
         equilibrium.find(
             short(
                 **{
