@@ -80,7 +80,7 @@ def test_what_cannot_go_on_is_said(
 def test_a_complete_run_cannot_go_on(arcless: Arcless, finished: Path) -> None:
     done = arcless("resume", finished / "result.nc", "--out", "next")
     assert done.exit_code == 2
-    assert "holds no state to go on from" in done.stderr
+    assert "holds no state to continue from" in done.stderr
 
 
 def test_a_controller_in_python_is_refused_before_computing(
@@ -92,4 +92,4 @@ def test_a_controller_in_python_is_refused_before_computing(
     )
     done = arcless("run", short, "--until", "120 m", "--set", function)
     assert done.exit_code == 1
-    assert "cannot stop early and go on later" in done.stderr
+    assert "cannot stop early and continue later" in done.stderr
