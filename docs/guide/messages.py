@@ -25,10 +25,11 @@ SCENARIO = "my-scenario.yaml"
 ENVIRONMENT = {"COLUMNS": "10000", "NO_COLOR": "1"}
 HEAD = """# Common mistakes and their messages
 
-Each section has an input with one mistake, the message, and the remedy. The files are `my-line.yaml` and
-`my-scenario.yaml` of [model files](../reference/model-files.md#an-example). A message states the place, the error, the given
-value (`got`), the `expected` one, and a `hint`. Exit code 2 means wrong input, 1 a failed computation, 0 at most warnings.
-`make pages` writes this page from the messages of the program.
+Each section has an input with one mistake, the message, and the remedy. The files are
+`my-line.yaml` and `my-scenario.yaml` of [model files](../reference/model-files.md#an-example). A
+message states the place, the error, the given value (`got`), the `expected` one, and a `hint`. Exit
+code 2 means wrong input, 1 a failed computation, 0 at most warnings. `make pages` writes this page
+from the messages of the program.
 """
 
 
