@@ -213,6 +213,7 @@ def test_overlays_show_each_run_in_its_colour() -> None:
     (bars,) = layers_of(found.figures["by_span"][0], Bars, second)
     np.testing.assert_allclose(bars.high, 20.0 / 2**0.5, rtol=CLOSE)
     (waves,) = found.figures["wavelengths"]
+    assert "so that spans and droppers appear at their lengths" in waves.caption
     for name, length in ((first, 50.0), (second, 25.0)):
         (curve,) = layers_of(waves, Curve, name)
         # Windows of 4 s resolve 0.25 Hz: lengths of 80, 40, 26.7 and 20 m.

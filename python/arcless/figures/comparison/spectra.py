@@ -75,7 +75,7 @@ def over_wavelength(many: Overlaid, places: Places, key: str, title: str) -> lis
             key, title,
             Axis("wavelength", "m", low, high, logarithmic=True), _decades(layers, "N²·m"),
             list(layers), caption="The wavelength is the speed over the frequency, so that spans"
-            "and droppers appear at their lengths at any speed.",
+            " and droppers appear at their lengths at any speed.",
             alt=f"Power spectral density over wavelength. {'; '.join(reversed(alt))}.",
         )
     ]  # fmt: skip

@@ -99,6 +99,6 @@ def tables_left(placements: tuple[PantographPlacement, ...], ranges: list[float]
                 warnings.append(
                     f"pantograph {placement.name}: {law.field} was left: {lowest:.4g} to"
                     f" {highest:.4g} {law.unit}, the table has {first:g} to {last:g} {law.unit};"
-                    "beyond it the last slope continues"
+                    " beyond it the last slope continues"
                 )
     return warnings

@@ -103,7 +103,7 @@ def test_a_table_that_is_left_is_a_warning(run: Run, placement: Data) -> None:
     warnings = json.loads(result.dataset.attrs["warnings"])
     (text,) = [text for text in warnings if "was left" in text]
     assert text.startswith("pantograph P1: masses.1.stiffness_table was left: -0.0")
-    assert text.endswith("beyond it the last slope continues")
+    assert text.endswith("; beyond it the last slope continues")
     # It does: the table is straight.
     np.testing.assert_allclose(force(result), force(run()), rtol=0, atol=SAME_RUN)
 
