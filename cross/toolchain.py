@@ -55,7 +55,7 @@ def unpacked() -> dict[str, str]:
 
 
 def put_library(made: Path, platform: str, name: str, strip: str) -> None:
-    """Put a library that FMUs carry beside those of other platforms, without symbols.
+    """Put a library that FMUs carry next to those of other platforms, without symbols.
 
     Parameters
     ----------

@@ -47,7 +47,7 @@ pub(crate) unsafe fn free<L: Log>(component: *mut c_void) {
 /// Gets the values of variables: arrays of numbers and of values, each with its length.
 ///
 /// # Safety
-/// As [`with`], and the arrays have these lengths.
+/// The conditions of [`with`] hold, and the arrays have these lengths.
 pub(crate) unsafe fn get<L: Log>(
     component: *mut c_void,
     name: &str,
@@ -69,7 +69,7 @@ pub(crate) unsafe fn get<L: Log>(
 /// Sets inputs: arrays of numbers and of values, each with its length.
 ///
 /// # Safety
-/// As [`with`], and the arrays have these lengths.
+/// The conditions of [`with`] hold, and the arrays have these lengths.
 pub(crate) unsafe fn set<L: Log>(
     component: *mut c_void,
     name: &str,
@@ -91,7 +91,8 @@ pub(crate) unsafe fn set<L: Log>(
 /// Saves the state, into the memory of an older one where there is one.
 ///
 /// # Safety
-/// As [`with`], and `state` is null or a place with null or a state that came from here.
+/// The conditions of [`with`] hold, and `state` is null or a place with null or a state that came
+/// from here.
 pub(crate) unsafe fn save<L: Log>(
     component: *mut c_void,
     name: &str,
@@ -115,7 +116,7 @@ pub(crate) unsafe fn save<L: Log>(
 /// Restores a state.
 ///
 /// # Safety
-/// As [`with`], and `state` is null or a state that came from here.
+/// The conditions of [`with`] hold, and `state` is null or a state that came from here.
 pub(crate) unsafe fn restore<L: Log>(
     component: *mut c_void,
     name: &str,
@@ -133,7 +134,8 @@ pub(crate) unsafe fn restore<L: Log>(
 /// Frees a state; the importer gets null in its place.
 ///
 /// # Safety
-/// As [`with`], and `state` is null or a place with null or a state that came from here.
+/// The conditions of [`with`] hold, and `state` is null or a place with null or a state that came
+/// from here.
 pub(crate) unsafe fn free_state<L: Log>(component: *mut c_void, state: *mut *mut c_void) -> c_int {
     let work = |_: &mut Instance<L>| {
         // SAFETY: null, or a place with null or a state that came from here.
@@ -154,8 +156,8 @@ pub(crate) unsafe fn free_state<L: Log>(component: *mut c_void, state: *mut *mut
 /// Gets the size of a state in bytes.
 ///
 /// # Safety
-/// As [`with`]; `state` is null or a state that came from here, `size` null or a place for a
-/// number.
+/// The conditions of [`with`] hold; `state` is null or a state that came from here, `size` null or
+/// a place for a number.
 pub(crate) unsafe fn serialized_size<L: Log>(
     component: *mut c_void,
     name: &str,
@@ -178,7 +180,8 @@ pub(crate) unsafe fn serialized_size<L: Log>(
 /// Copies a state to an array of bytes that has room for it.
 ///
 /// # Safety
-/// As [`with`]; `state` is null or a state that came from here, and the array has this length.
+/// The conditions of [`with`] hold; `state` is null or a state that came from here, and the array
+/// has this length.
 pub(crate) unsafe fn serialize<L: Log>(
     component: *mut c_void,
     name: &str,
@@ -205,7 +208,8 @@ pub(crate) unsafe fn serialize<L: Log>(
 /// Makes a state of bytes; it is checked when it is restored.
 ///
 /// # Safety
-/// As [`with`]; the array has this length, and `state` is null or a place for a state.
+/// The conditions of [`with`] hold; the array has this length, and `state` is null or a place for
+/// a state.
 pub(crate) unsafe fn deserialize<L: Log>(
     component: *mut c_void,
     name: &str,
