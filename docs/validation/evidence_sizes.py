@@ -69,7 +69,7 @@ def _reasons(own: dict[Key, list[Measurement]]) -> str:
     """Return each reason once, after what it is the reason of."""
     known: dict[str, list[str]] = {}
     for (what, _, _), rows in own.items():
-        for reason in {row.reason for row in rows}:
+        for reason in dict.fromkeys(row.reason for row in rows):
             known.setdefault(reason, []).append(what.split(",")[0])
     lines = [
         f"- {escaped(', '.join(dict.fromkeys(what)))}: {escaped(reason)}"

@@ -36,6 +36,16 @@ def test_errors_over_element_length_are_a_line_with_their_order() -> None:
     assert "| error, 275 km/h, cubic of 0.4 m | 0.25 mm |" in page
 
 
+def test_reasons_of_errors_over_element_length_keep_the_order_of_the_values() -> None:
+    evidence = Evidence("test")
+    reasons = [f"reason {letter}" for letter in "hgfedcba"]
+    for size, reason in zip((0.8, 0.7, 0.6, 0.5, 0.4, 0.3, 0.2, 0.1), reasons, strict=True):
+        evidence.below(f"error, chain of {size:g} m", size, 1.0, unit="mm", reason=reason)
+    page = evidence_topic.page("limits", [Topic("limits", "x", "X", rows=evidence.rows)])
+    found = [page.index(reason) for reason in reasons]
+    assert found == sorted(found)
+
+
 def test_reach_of_the_evidence_names_topics_and_counts_them() -> None:
     page = evidence.pages()["index"]
     rows = [line for line in page.splitlines() if line.startswith("| behind another pantograph")]

@@ -119,7 +119,7 @@ class Guess:
         measured = system.measured if wire in system.contact_wires else {}
         known = {x: float(self._nominal(wire, x)) for x in ends} | dict(measured)
         own = [h for h in self.places.hangings if h.lower == wire]
-        for upper in {h.upper for h in own}:
+        for upper in dict.fromkeys(h.upper for h in own):
             hung = [h for h in own if h.upper == upper]
             places = np.array([h.x for h in hung])
             levels, tops = self._nominal(wire, places).tolist(), self.of(upper, places).tolist()
