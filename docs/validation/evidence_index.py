@@ -1,22 +1,40 @@
-"""The first page of the evidence: every topic in one line."""
+"""The first page of the evidence: what is verified, what is not, and every topic in one line."""
 
 from validation import evidence_reach
-from validation.runs import table
+from validation.runs import escaped, table
 
-from arcless.validate.evidence import GROUPS, Topic
+from arcless.validate.evidence import GROUPS, INSIDE, Topic
 
 NAME = "index"
-HEAD = """# Why the numbers can be trusted
+# What each group compares with, for the first table.
+AGAINST = {
+    "closed_forms": "formulas of textbooks and papers, each derived or cited on its page",
+    "orders": "the order that theory gives each wire model and each time-stepping scheme",
+    "limits": "the same run with elements and steps refined until it no longer changes",
+    "conservation": "balances of energy, force and mass; mirrored, moved and resumed runs",
+    "peers": "Exudyn, scikit-fem, Drake and other programs that share no code",
+    "references": "values that standards, papers and railways published",
+}
+HEAD = """# Validation
 
-What stands here was written by the tests. A check in `tests/verification` says what it measured,
-what that must be, how far it may be off and why; `make evidence` runs all checks and writes these
-pages, `make test` compares what it measures with them and fails where they differ by more than a
-tenth of a tolerance. Below the checks of each file stands a table of faults: one thing broken on
-purpose, and the check that must notice it. `arcless validate all` prints the table below,
-`arcless validate all --report FILE.html` has it on a page, after the values in their ranges.
+"""
+NOT_VERIFIED = """## What is not verified
 
-*Most used* is the largest part of a tolerance that any value of the topic uses up. *Faults* counts
-what was broken on purpose and noticed.
+- **Measured runs.** The publications that we found leave out parts of the line, the pantograph or
+  the instrument. `arcless compare` takes [your own measurement](../guide/compare-measured.md).
+- **Limits and parameters of mark C or C\\*.** They are from memory or from secondary sources.
+  Reports name them wherever they decide something.
+- **Wear.** The form of the law is published; its [coefficients](../theory/wear.md) are not
+  verified.
+"""
+HOW = """## How these pages are made
+
+A check in `tests/verification` states what it measures, the reference value, the tolerance and
+its reason. `make evidence` runs all checks and writes these pages. `make test` repeats the fast
+ones and fails where a value has moved by more than a tenth of its tolerance. A *fault* is a
+deliberate error in the model or the code, and counts only if a check notices it. *Most used* is
+the largest part of a tolerance that a value of the topic takes. `arcless validate all` prints the
+tables below.
 """
 TAIL = """## Pages with tables of runs
 
@@ -44,16 +62,59 @@ def page_name(group: str) -> str:
 
 
 def page(topics: list[Topic]) -> str:
-    """Return the text of the first page."""
-    versions = " and ".join(sorted({topic.version for topic in topics}))
-    counts = f"{sum(len(topic.rows) for topic in topics)} values in {len(topics)} topics"
-    parts = [f"{HEAD}\nRecorded with version {versions}: {counts}.\n"]
-    parts.append(f"{evidence_reach.section(topics)}\n")
+    """Return the text of the first page: what is verified, how well, and what is not."""
+    parts = [f"{HEAD}{_summary(topics)}", _overview(topics), _outside(topics)]
+    parts += [f"{NOT_VERIFIED}{evidence_reach.still_not()}", evidence_reach.section(topics), HOW]
     for group, title in GROUPS.items():
-        own = [topic for topic in topics if topic.group == group]
+        own = _of(topics, group)
         if own:
             parts.append(f"## [{title}]({page_name(group)}.md)\n\n{_table(own)}\n")
-    return "\n".join([*parts, TAIL])
+    return "\n".join([*parts, evidence_reach.topics_of(topics), TAIL])
+
+
+def _of(topics: list[Topic], group: str) -> list[Topic]:
+    return [topic for topic in topics if topic.group == group]
+
+
+def _counts(topics: list[Topic]) -> tuple[int, int]:
+    """Return how many values the topics have, and how many of them are inside."""
+    return sum(len(topic.rows) for topic in topics), sum(topic.inside for topic in topics)
+
+
+def _summary(topics: list[Topic]) -> str:
+    values, inside = _counts(topics)
+    faults = sum(len(topic.faults) for topic in topics)
+    versions = " and ".join(sorted({topic.version for topic in topics}))
+    return (
+        f"{values} values of version {versions} are compared with a reference; {inside} are inside"
+        f" their tolerance, {values - inside} are outside and listed below. {faults} deliberate"
+        " faults are noticed.\n"
+    )
+
+
+def _overview(topics: list[Topic]) -> str:
+    rows = []
+    for group, title in GROUPS.items():
+        own = _of(topics, group)
+        values, inside = _counts(own)
+        faults = sum(len(topic.faults) for topic in own)
+        name = f"[{title}]({page_name(group)}.md)"
+        rows.append([name, AGAINST[group], f"{inside} of {values}", str(faults)])
+    head = ["verified by", "against", "values inside", "faults noticed"]
+    return f"## What is verified\n\n{table(head, rows)}\n"
+
+
+def _outside(topics: list[Topic]) -> str:
+    """Return the topics with values outside, each with the page that explains them."""
+    rows = []
+    for topic in topics:
+        bad = [row for row in topic.rows if row.verdict != INSIDE]
+        if bad:
+            marks = ", ".join(sorted({escaped(row.mark) for row in bad if row.mark}))
+            name = f"[{topic.title}]({page_name(topic.group)}.md)"
+            rows.append([name, f"{len(bad)} of {len(topic.rows)}", marks])
+    head = ["topic", "values outside", "marks of these references"]
+    return f"## What disagrees\n\n{table(head, rows)}\n"
 
 
 def _table(topics: list[Topic]) -> str:

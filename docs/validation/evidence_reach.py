@@ -8,7 +8,8 @@ from arcless.validate.evidence import Topic
 
 HEAD = """## In space, under motion, behind another pantograph
 
-The uses that matter most, and how far the checks reach there. A topic may appear in several rows.
+How far the checks reach in the uses that matter most. The topics of each row are listed
+[at the end](#topics-of-these-uses).
 """
 
 
@@ -72,12 +73,29 @@ REACHES = (
 
 def section(topics: list[Topic]) -> str:
     """Return the section; a topic that is not recorded is an error."""
-    known = {f"{topic.group}/{topic.name}": topic for topic in topics}
     rows = []
     for reach in REACHES:
-        own = [known[name] for name in reach.topics]
-        titles = "; ".join(dict.fromkeys(topic.title.partition(",")[0] for topic in own))
-        counts = f"{sum(len(topic.rows) for topic in own)} values, "
-        counts += f"{sum(len(topic.faults) for topic in own)} faults"
-        rows.append([reach.where, f"{reach.shown} ({titles})", counts, reach.still_not])
-    return f"{HEAD}\n{table(['', 'verified by', 'of these', 'still not'], rows)}"
+        own = _own(reach, topics)
+        values = sum(len(topic.rows) for topic in own)
+        faults = sum(len(topic.faults) for topic in own)
+        rows.append([reach.where, reach.shown, str(values), str(faults)])
+    return f"{HEAD}\n{table(['', 'verified by', 'values', 'faults noticed'], rows)}\n"
+
+
+def still_not() -> str:
+    """Return a list of what no topic of each use shows."""
+    return "".join(f"- **{reach.where.capitalize()}**: {reach.still_not}.\n" for reach in REACHES)
+
+
+def topics_of(topics: list[Topic]) -> str:
+    """Return the section that lists the topics behind each use."""
+    lines = []
+    for reach in REACHES:
+        titles = dict.fromkeys(topic.title.partition(",")[0] for topic in _own(reach, topics))
+        lines.append(f"- **{reach.where.capitalize()}**: {'; '.join(titles)}")
+    return "## Topics of these uses\n\n" + "\n".join(lines) + "\n"
+
+
+def _own(reach: Reach, topics: list[Topic]) -> list[Topic]:
+    known = {f"{topic.group}/{topic.name}": topic for topic in topics}
+    return [known[name] for name in reach.topics]

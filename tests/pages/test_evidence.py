@@ -1,8 +1,10 @@
 """Pages of the evidence: pictures are there, and runs next to their limit are shown."""
 
+import re
+
 from validation import evidence, evidence_topic
 
-from arcless.validate.evidence import Topic, recorded
+from arcless.validate.evidence import INSIDE, Topic, recorded
 from tests.support.evidence import Evidence
 
 
@@ -46,9 +48,28 @@ def test_reasons_of_errors_over_element_length_keep_the_order_of_the_values() ->
     assert found == sorted(found)
 
 
+def test_the_first_screen_says_what_is_verified_what_disagrees_and_what_is_not_verified() -> None:
+    page = evidence.pages()["index"]
+    heads = [
+        "What is verified",
+        "What disagrees",
+        "What is not verified",
+        "How these pages are made",
+    ]
+    places = [page.index(f"## {head}") for head in heads]
+    assert places == sorted(places)
+    assert places[-1] < page.index("## [Closed forms]")
+    rows = [row for topic in recorded() for row in topic.rows]
+    outside = sum(row.verdict != INSIDE for row in rows)
+    listed = page[places[1] : places[2]]
+    assert sum(int(n) for n in re.findall(r"\| (\d+) of \d+ \|", listed)) == outside > 0
+    assert f"{len(rows)} values" in page
+
+
 def test_reach_of_the_evidence_names_topics_and_counts_them() -> None:
     page = evidence.pages()["index"]
-    rows = [line for line in page.splitlines() if line.startswith("| behind another pantograph")]
-    assert len(rows) == 1
-    assert "Two pantographs on one wire" in rows[0]
-    assert page.index("still not") < page.index("## [Closed forms]")
+    assert page.count("| behind another pantograph |") == 1
+    (line,) = [
+        line for line in page.splitlines() if line.startswith("- **Behind another") and ";" in line
+    ]
+    assert "Two pantographs on one wire" in line
