@@ -12,6 +12,8 @@ BIN := $(VENV)/bin
 PEERS := $(VENV)/peers
 WITH_PEERS = $(if $(wildcard $(PEERS)/.packages),PYTHONPATH="$(CURDIR)/python" $(PEERS)/bin/python,$(BIN)/python)
 DEMO := en50318-ac-simple-320
+# Parts of `make lint`, two at a time: most of them keep one core busy.
+LINTS := files style rust linux win32 darwin
 # Neighbours stay in one process, which keeps what they share; an idle one takes half of the rest.
 ON_ALL_CORES := --numprocesses=auto --maxprocesses=8 --dist=worksteal
 # Hundreds of processes are started by tests: each would compile the package anew.
@@ -95,14 +97,22 @@ golden: build ## compare the bits of results with those kept; REASON="why" keeps
 	OPENBLAS_NUM_THREADS=1 $(BIN)/python -m tests.golden $(if $(REASON),--renew "$$REASON")
 
 lint: build ## check format, lints and types, and that no lock file or local path is tracked
+	@$(MAKE) --no-print-directory --jobs=2 --output-sync=target $(addprefix lint-,$(LINTS))
+
+lint-rust:
 	cargo fmt --all --check
 	cargo clippy --workspace --all-targets -- -D warnings
+
+lint-style:
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/python -m tests.prose
-	$(BIN)/mypy
-	@for system in win32 darwin; do echo "mypy --platform $$system"; \
-	$(BIN)/mypy --platform $$system --cache-dir .mypy_cache/$$system || exit 1; done
+
+# A cache for each platform: one in common would be made again every time.
+lint-linux lint-win32 lint-darwin: lint-%:
+	$(BIN)/mypy --platform $* --cache-dir .mypy_cache/$*
+
+lint-files:
 	@! git ls-files '*.lock' 2>/dev/null | grep . \
 	|| { echo 'make lint: lock files record download addresses: remove them from git'; exit 1; }
 	@! git grep -lE '"resolved": *"[a-z+]+:' -- '*package-lock.json' '*npm-shrinkwrap.json' 2>/dev/null \
