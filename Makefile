@@ -4,7 +4,7 @@
 SHELL := /bin/sh
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help build demo test peers evidence pages docs fuzz golden lint bench counts page pictures wheel windows fmu arm clean \
+.PHONY: help build demo test peers evidence pages docs fuzz golden lint $(addprefix lint-,files style rust linux win32 darwin) bench counts page pictures wheel windows fmu arm clean \
 	check-python check-rust
 
 VENV := .venv
@@ -12,8 +12,6 @@ BIN := $(VENV)/bin
 PEERS := $(VENV)/peers
 WITH_PEERS = $(if $(wildcard $(PEERS)/.packages),PYTHONPATH="$(CURDIR)/python" $(PEERS)/bin/python,$(BIN)/python)
 DEMO := en50318-ac-simple-320
-# Parts of `make lint`, two at a time: most of them keep one core busy.
-LINTS := files style rust linux win32 darwin
 # Neighbours stay in one process, which keeps what they share; an idle one takes half of the rest.
 ON_ALL_CORES := --numprocesses=auto --maxprocesses=8 --dist=worksteal
 # Hundreds of processes are started by tests: each would compile the package anew.
@@ -96,20 +94,19 @@ fuzz: build ## look for input that breaks something, for SECONDS (600) each targ
 golden: build ## compare the bits of results with those kept; REASON="why" keeps them anew
 	OPENBLAS_NUM_THREADS=1 $(BIN)/python -m tests.golden $(if $(REASON),--renew "$$REASON")
 
-lint: build ## check format, lints and types, and that no lock file or local path is tracked
-	@$(MAKE) --no-print-directory --jobs=2 --output-sync=target $(addprefix lint-,$(LINTS))
+lint: $(addprefix lint-,files style rust linux win32 darwin) ## check format, lints and types, and that no lock file or local path is tracked
 
-lint-rust:
+lint-rust: build
 	cargo fmt --all --check
 	cargo clippy --workspace --all-targets -- -D warnings
 
-lint-style:
+lint-style: build
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/python -m tests.prose
 
 # A cache for each platform: one in common would be made again every time.
-lint-linux lint-win32 lint-darwin: lint-%:
+lint-linux lint-win32 lint-darwin: lint-%: build
 	$(BIN)/mypy --platform $* --cache-dir .mypy_cache/$*
 
 lint-files:
