@@ -25,11 +25,10 @@ SCENARIO = "my-scenario.yaml"
 ENVIRONMENT = {"COLUMNS": "10000", "NO_COLOR": "1"}
 HEAD = """# Common mistakes and their messages
 
-Each section has an input with one mistake, the message, and the remedy. The files are
-`my-line.yaml` and `my-scenario.yaml` of [model files](../reference/model-files.md#an-example). A
-message states the place, the error, the given value (`got`), the `expected` one, and a `hint`. Exit
-code 2 means wrong input, 1 a failed computation, 0 at most warnings. `make pages` writes this page
-from the messages of the program.
+The files are `my-line.yaml` and `my-scenario.yaml` of
+[model files](../reference/model-files.md#an-example), each with one mistake. A message states the
+place, the error, the given value (`got`), the `expected` one, and a `hint`. An error ends with exit
+code 2; warnings alone do not.
 """
 
 
@@ -98,7 +97,8 @@ def page() -> str:
     Raises
     ------
     ValueError
-        There are not twenty mistakes, or of one the program says no error and no warning.
+        There are not twenty mistakes, or of one the program says no error and no warning, or ends
+        with another exit code than the page says.
     """
     return "".join(_parts())
 
@@ -112,5 +112,7 @@ def _parts() -> Iterator[str]:
         message, code = said(case)
         if not message.startswith(("error: ", "warning: ")) or "Traceback" in message:
             raise ValueError(f"{case['title']}: the program says {message!r}")
+        if code != (2 if "error: " in message else 0):
+            raise ValueError(f"{case['title']}: the program ends with {code}")
         yield f"\n## {number}. {case['title']}\n\n```text\n{typed(case)}\n```\n"
-        yield f"\n```text\n{message}\n```\n\nExit code {code}. {case['then']}\n"
+        yield f"\n```text\n{message}\n```\n\n{case['then']}\n"
