@@ -36,9 +36,10 @@ REACHES = (
     Reach(
         "a line in space, at rest",
         ("conservation/staggered_line", "closed_forms/curve", "closed_forms/bands",
-         "closed_forms/opposed_stagger", "peers/exudyn_space_statics"),
+         "closed_forms/opposed_stagger", "closed_forms/parting_wires",
+         "closed_forms/parting_wires_on_droppers", "peers/exudyn_space_statics"),
         "arms are springs of force over length; wires in curves; stagger compared with the planar"
-        " line; opposed staggers; another program's line",
+        " line; opposed staggers; two contact wires that part and meet; another program's line",
         "published elasticities of a line with stagger",
     ),
     Reach(
