@@ -193,6 +193,11 @@ def test_a_file_with_decimal_commas_is_answered_with_commas(
     assert f"hint: {hint}" in message
 
 
+def test_a_number_with_a_unit_shows_a_decimal_comma_too(folder: Path) -> None:
+    spoil(folder, "spans", whole("span;length [m]\n1;60,5 m\n"))
+    assert "hint: the unit is in the header: write 60,5" in told(folder).splitlines()[0]
+
+
 @pytest.mark.parametrize("name", ["spans", "droppers"])
 def test_a_sheet_that_is_missing_is_told(folder: Path, name: str) -> None:
     (folder / f"{name}.csv").unlink()
