@@ -81,7 +81,8 @@ def bits_of_result(result: arcless.Result) -> dict[str, Any]:
     return found | {"assessment": str(assessed)}
 
 
-_UNASSESSED = {"version", "wall_time_s", "setup_time_s", "real_time_factor"}
+# Passing ones, and a sentence made of the criteria, which are compared.
+_UNASSESSED = {"verdict", "version", "wall_time_s", "setup_time_s", "real_time_factor"}
 
 
 def _load(name: str, changes: Mapping[str, Any]) -> arcless.Scenario:

@@ -206,6 +206,19 @@ def test_run_records_how_to_run_it_again(arcless: Arcless, short: Path) -> None:
         np.testing.assert_allclose(np.diff(dataset["time"])[:5], 4e-3, rtol=1e-9)
 
 
+def test_what_is_unverified_is_told_before_a_signature(arcless: Arcless, short: Path) -> None:
+    words = ("--set", "pantographs.0.model=faiveley-cx", "--out", "own", "--quiet")
+    done = arcless("run", short, *words)
+    told = strict_json(Path("own/assessment.json").read_text("utf-8"))
+    # Up to 200 km/h the laws of the mean force and the limit of NQ are from memory.
+    assert " against unverified limits" in told["verdict"]
+    assert f"{told['verdict']}.\n" in done.stdout
+    warning = "pantograph faiveley-cx: 9 values are from memory, unverified (mark C)"
+    assert f"Warnings:\n- {warning}" in done.stdout
+    page = Path("own/report.html").read_text("utf-8")
+    assert warning in page.partition('id="criteria"')[0]
+
+
 def test_quiet_run_says_nothing_on_standard_error(arcless: Arcless, short: Path) -> None:
     assert arcless("run", short, "--quiet", "--no-report").stderr == ""
 

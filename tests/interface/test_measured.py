@@ -64,6 +64,8 @@ def test_exit_code_is_that_of_the_criteria(arcless: Command, tmp_path: Path) -> 
     done = arcless("assess", file, "--supply", "AC 25 kV")
     assert done.exit_code == 3
     assert "exit code 3, not met: standard deviation σ" in done.stderr
+    quiet = arcless("assess", file, "--supply", "AC 25 kV", "--quiet")
+    assert (quiet.exit_code, quiet.stderr) == (3, "")
 
 
 def test_json_goes_to_a_file_too(arcless: Command, file: Path) -> None:

@@ -8,6 +8,7 @@ import pytest
 from typer.testing import Result
 
 from arcless.model import load
+from arcless.model.files.yaml_reader import parse
 from arcless.model.own_copy import HEADER, copies, text_of
 from arcless.model.shipped.library import shipped
 
@@ -81,18 +82,42 @@ def test_every_shipped_scenario_and_line_is_copied(name: str) -> None:
     for source in shipped("scenario"):
         made = copies(name, f"scenario/{source}", with_pantographs=True)
         assert {f"{name}.yaml", f"{name}-line.yaml"} < set(made)
-        # Only the header, names and references differ: comments, order and sources stay.
+        # Header, names, references and the description differ: comments, order and sources stay.
         old = shipped("scenario")[source].read_text("utf-8").splitlines()
         new = made[f"{name}.yaml"].splitlines()
         assert new[0] + "\n" == HEADER
         changed = [line for line, was in zip(new[1:], old, strict=True) if line != was]
-        assert all(line.strip(" -{").startswith(("name:", "line:", "model:")) for line in changed)
+        own = ("name:", "description:", "line:", "model:")
+        assert all(line.strip(" -{").startswith(own) for line in changed)
     for kind in ("line", "pantograph", "study"):
         for source, file in shipped(kind).items():
             ((own, text),) = copies(name, f"{kind}/{source}").items()
             assert own == f"{name}.yaml"
             assert text.startswith(HEADER)
-            assert text.count("\n") == file.read_text("utf-8").count("\n") + 1
+            new, old = (parse(each, source)[0] for each in (text, file.read_text("utf-8")))
+            assert {key for key in old if old[key] != new[key]} <= {"name", "description"}
+            assert set(new) == set(old)
+
+
+@pytest.mark.parametrize("kind", ["scenario", "line", "pantograph", "study"])
+def test_no_copy_is_described_as_the_shipped_model(kind: str) -> None:
+    # A description is on the cover of a report that is signed: it must not be another line's.
+    for source in shipped(kind):
+        for text in copies("mine", f"{kind}/{source}").values():
+            data = parse(text, source)[0]
+            if kind in ("scenario", "line", "pantograph") or "description" in data:
+                assert data["description"].startswith("Own ")
+                assert data["description"].endswith(", to be described")
+
+
+def test_a_copy_names_the_model_that_it_follows() -> None:
+    made = copies("mine", "norway-s25-250", with_pantographs=True)
+    told = {file: parse(text, file)[0]["description"] for file, text in made.items()}
+    assert told == {
+        "mine.yaml": "Own scenario after norway-s25-250, to be described",
+        "mine-line.yaml": "Own line after norway-s25, to be described",
+        "mine-dsa-250.yaml": "Own pantograph after dsa-250, to be described",
+    }
 
 
 @pytest.mark.parametrize("extra", [[], ["--with-pantographs"]])

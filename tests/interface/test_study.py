@@ -263,3 +263,13 @@ def test_status_tells_of_damage_once(arcless: Arcless, tmp_path: Path) -> None:
     (line,) = done.stderr.splitlines()
     assert "the journal is damaged, rows left out: 1; `arcless study resume` computes" in line
     assert "damaged" in arcless("study", "report", tmp_path).stderr
+
+
+def test_a_file_is_no_folder_of_a_study(arcless: Arcless, tmp_path: Path) -> None:
+    # `--out` is the folder; a user who meant the file got none, without a message.
+    file = written(tmp_path)
+    done = arcless("study", "variant", file, "1", "--out", "one.yaml")
+    assert done.exit_code == 2
+    assert done.stdout == ""
+    assert "--to one.yaml writes the scenario into this file" in done.stderr
+    assert arcless("study", "variant", file, "1", "--to", "one.yaml").stdout == "wrote one.yaml\n"

@@ -98,6 +98,11 @@ class Assessment:
         return replace(found, text=f"Of the part up to {self.stopped_m:.1f} m: {found.text}")
 
     @property
+    def _in_words(self) -> str:
+        found = self.headline
+        return f"{found.text}; {found.rest}" if found.rest else found.text
+
+    @property
     def section_words(self) -> str:
         """The section in words, and the part of it that was run over where it is not the whole."""
         begin, end = self.section_m
@@ -113,11 +118,12 @@ class Assessment:
     def to_dict(self) -> dict[str, Any]:
         """Return the assessment as plain values, ready for JSON.
 
-        Without coefficients of wear in the scenario there are no keys of wear; `certainty` is there
-        where somebody asked for it, `measurement` where it is one, `ran_over_m` where that is a
-        part of the section, `stopped_m` where the run stopped early.
+        `verdict` is the headline over all criteria. Without coefficients of wear in the scenario
+        there are no keys of wear; `certainty` is there where somebody asked for it, `measurement`
+        where it is one, `ran_over_m` where that is a part of the section, `stopped_m` where the
+        run stopped early.
         """
-        data = asdict(self)
+        data = {**asdict(self), "verdict": self._in_words}
         asked = ("certainty", "certainty_method", "measurement", "ran_over_m", "stopped_m")
         for part in (data, *data["pantographs"], *data["criteria"]):
             for name in asked:

@@ -1,5 +1,6 @@
 """Judging a run by the table of rules."""
 
+import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass, field, replace
 from typing import Any
@@ -67,7 +68,7 @@ class Criterion:
         unit = "" if self.unit == "1" else f" {self.unit}"
         limit = f"{RELATION_SIGNS[self.relation]} {number(self.limit, decimals)}{allowance(data)}"
         value = f"{number(self.value, decimals)}{unit}, limit {limit}{unit}"
-        return f"<Criterion {self.name}{of}: {value}: {verdict_of(data)}>"
+        return f"<Criterion {self.name}{of}: {value}: {shown_verdict(data)}>"
 
 
 def is_withheld(criterion: Mapping[str, Any]) -> bool:
@@ -99,12 +100,48 @@ def uncertainty_of(certainty: Mapping[str, float | None] | None) -> float | None
 # Decimals of a criterion's numbers by its unit, and those at which numbers are as good as equal.
 _DECIMALS: Mapping[str, int] = {"%": 2, "1": 3, "mm": 0}
 _MOST_DECIMALS = 4
+AT_LIMIT = "at the limit"
 
 
 def decimals_of(criterion: Mapping[str, Any]) -> int:
-    """Return the decimals of a criterion's numbers, given as plain data: see `telling_decimals`."""
+    """Return the decimals of a criterion's numbers, given as plain data.
+
+    They are so many that value and limit look different, but no more than are known: two digits of
+    the uncertainty or, where that is not known, one decimal more than usual. Numbers that still
+    look alike have the usual decimals, and are said to be at the limit: see `is_at_limit`.
+    """
     least = _DECIMALS.get(criterion["unit"], 1)
-    return telling_decimals(criterion["value"], [criterion["limit"]], least)
+    value, limit = criterion["value"], criterion["limit"]
+    found = telling_decimals(value, [limit], least)
+    if found <= _known_decimals(criterion, least):
+        return found
+    return least
+
+
+def _known_decimals(criterion: Mapping[str, Any], least: int) -> int:
+    """Return the decimals that mean something."""
+    uncertainty = uncertainty_of(criterion.get("certainty"))
+    if uncertainty is None:
+        return least + 1
+    if uncertainty == 0.0:
+        return _MOST_DECIMALS
+    return max(least, min(1 - math.floor(math.log10(uncertainty)), _MOST_DECIMALS))
+
+
+def is_at_limit(criterion: Mapping[str, Any]) -> bool:
+    """Return whether value and limit look alike and are not the same, given as plain data."""
+    value, limit = criterion["value"], criterion["limit"]
+    if value is None or limit is None or value == limit:
+        return False
+    decimals = decimals_of(criterion)
+    return number(value, decimals) == number(limit, decimals)
+
+
+def shown_verdict(criterion: Mapping[str, Any]) -> str:
+    """Return the verdict as a table shows it: with a word where rounding hides the difference."""
+    words = verdict_of(criterion)
+    judged = criterion["passed"] is not None and is_at_limit(criterion)
+    return f"{words}, {AT_LIMIT}" if judged else words
 
 
 def telling_decimals(value: float | None, bounds: Sequence[float | None], least: int) -> int:

@@ -1,7 +1,7 @@
 """An assessment as tables: columns for files and data frames, a card for notebooks."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from arcless.assess.criteria import (
@@ -15,10 +15,12 @@ from arcless.assess.criteria import (
     allowance,
     decimals_of,
     is_withheld,
+    shown_verdict,
     uncertainty_of,
     verdict_of,
 )
 from arcless.assess.quantities import OF_LINE, OF_PANTOGRAPH, QUANTITIES, WEAR, label_of
+from arcless.assess.rules import decides
 from arcless.display import cards
 from arcless.display.frames import frame
 from arcless.display.numbers import number, pair
@@ -61,9 +63,21 @@ def headline(criteria: Sequence[Criterion]) -> Headline:
     state, title = _HEADLINES[word]
     total = len(criteria)
     share = f"all {total}" if counts[word] == total else f"{counts[word]} of {total}"
-    rest = [f"{count} {_REST.get(other, other)}"
+    unsure = _against_unverified(criteria)
+    rest = [f"{count} {_REST.get(other, other)}{unsure if other == MET else ''}"
             for other, count in counts.items() if other != word and count]  # fmt: skip
-    return Headline(state, f"{title}: {share} criteria", "; ".join(rest))
+    text = f"{title}: {share} criteria{unsure if word == MET else ''}"
+    return Headline(state, text, "; ".join(rest))
+
+
+def _against_unverified(criteria: Sequence[Criterion]) -> str:
+    """Return how many of the criteria that are met have a limit that decides nothing, in words."""
+    met = [one for one in criteria if verdict_of(asdict(one)) == MET]
+    count = sum(not decides(one.mark) for one in met)
+    if not count:
+        return ""
+    limits = "an unverified limit" if count == 1 else "unverified limits"
+    return f", {count} of them against {limits}" if len(met) > 1 else f" against {limits}"
 
 
 def quantity_columns(told: Mapping[str, Any]) -> list[Column]:
@@ -140,6 +154,11 @@ def title_of(told: Mapping[str, Any]) -> str:
     return f"{told['scenario']} at {3.6 * told['speed_m_s']:.4g} km/h{stopped}"
 
 
+def _badge(one: Mapping[str, Any]) -> cards.Cell:
+    found = badge_of(verdict_of(one))
+    return replace(found, text=shown_verdict(one)) if isinstance(found, cards.Badge) else found
+
+
 def badge_of(words: str) -> cards.Cell:
     """Return the cell of a verdict on a criterion, given in words."""
     return words if words == NOT_JUDGED else cards.Badge(_HEADLINES[words][0], words)
@@ -156,7 +175,7 @@ def _criterion(one: Mapping[str, Any]) -> list[cards.Cell]:
         if one["limit"] is None
         else f"{RELATION_SIGNS[one['relation']]} {limit}{allowance(one)}",
         one["unit"].replace("1", ""),
-        badge_of(verdict_of(one)),
+        _badge(one),
         one["mark"],
     ]
 

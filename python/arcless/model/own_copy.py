@@ -62,7 +62,8 @@ def copies(
     """Return the files of a model of one's own, text by name of file.
 
     Of a scenario these are the scenario and its line, which the scenario then refers to. Comments,
-    order and sources stay.
+    order and sources stay. The description is a new one: that of the shipped model would be on the
+    cover of reports, and untrue as soon as a value is changed.
 
     Parameters
     ----------
@@ -95,9 +96,9 @@ def copies(
     given = read_text(file, source)
     if two_pantographs is not None:
         given = with_second(given, two_pantographs, source, file)
-    for field, value in {"name": name, "scenario": scenario}.items():
-        if value is not None:
-            given = change(given, field, value, source).apply(given)
+    given = _renamed(given, kind, name, source)
+    if scenario is not None:
+        given = change(given, "scenario", scenario, source).apply(given)
     made = {f"{name}.yaml": given}
     if kind != "scenario":
         return {file: HEADER + text for file, text in made.items()}
@@ -154,8 +155,17 @@ def _copied(
     if file is None:  # written in the scenario itself, and copied with it
         return {}
     references[place] = f"{new}.yaml"
-    text = read_text(file, given)
-    return {f"{new}.yaml": change(text, "name", new, given).apply(text)}
+    return {f"{new}.yaml": _renamed(read_text(file, given), kind, new, given)}
+
+
+def _renamed(text: str, kind: str, name: str, source: str) -> str:
+    """Return a text with a new name, and with a description that states no more than its origin."""
+    changes = {"name": name}
+    if "description" in parse(text, source)[0]:
+        changes["description"] = f"Own {kind} after {source.rpartition('/')[2]}, to be described"
+    for field, value in changes.items():
+        text = change(text, field, value, source).apply(text)
+    return text
 
 
 def _check_options(kind: str, source: str, options: Mapping[str, tuple[str, bool]]) -> None:

@@ -10,6 +10,7 @@ from pydantic import BaseModel
 from arcless.errors import ModelError
 from arcless.model import Line, Pantograph, Provenance, Scenario
 from arcless.model.fields.part import Unit, find_unit
+from arcless.model.pantograph.placement import PantographPlacement
 from arcless.units import to_si
 
 Document = Scenario | Line | Pantograph
@@ -69,13 +70,60 @@ class Group:
         return [row for row in self.rows if row.is_default]
 
 
-def groups(scenario: Scenario) -> list[Group]:
-    """Return one group for the scenario, its line and each different pantograph."""
+def groups(scenario: Scenario, forces: Mapping[str, float] | None = None) -> list[Group]:
+    """Return one group for the scenario, its line and each different pantograph.
+
+    Parameters
+    ----------
+    scenario
+        What was run.
+    forces
+        Static force of each pantograph in the run in N, by its name there: the rows of the scenario
+        then have those that were found, and the rows of a pantograph say where its own is not used.
+    """
     documents: dict[str, Document] = {f"Line {scenario.line.name}": scenario.line}
     for placement in scenario.pantographs:
         documents[f"Pantograph {placement.model.name}"] = placement.model
     documents[f"Scenario {scenario.name}"] = scenario
-    return [_group(title, document) for title, document in documents.items()]
+    made = [_group(title, document) for title, document in documents.items()]
+    return made if forces is None else [_with_forces(one, scenario, forces) for one in made]
+
+
+def origin_of_force(placement: PantographPlacement) -> str:
+    """Return where the static force of a pantograph in a run is from, in words."""
+    if placement.mean_force is not None:
+        return f"found for a mean contact force of {placement.mean_force:.5g} N"
+    if placement.static_force is not None:
+        return "given by the scenario"
+    return "given by the pantograph's data"
+
+
+def _with_forces(group: Group, scenario: Scenario, forces: Mapping[str, float]) -> Group:
+    """Return a group with the static forces of the run."""
+    rows = []
+    for row in group.rows:
+        rows.append(_unused(row, group.title, scenario))
+        for index, one in enumerate(scenario.pantographs):
+            path = f"pantographs.{index}."
+            if (group.title, row.path) == (f"Scenario {scenario.name}", f"{path}mean_force"):
+                found = forces.get(one.name)
+                rows += [] if found is None else [_found(f"{path}static_force", found, one)]
+    return dataclasses.replace(group, rows=rows)
+
+
+def _found(path: str, force: float, placement: PantographPlacement) -> Row:
+    note = f"Of this run: {origin_of_force(placement)}."
+    return Row(path, f"{force:.5g} N", mark="D", note=note, content=force)
+
+
+def _unused(row: Row, title: str, scenario: Scenario) -> Row:
+    """Return the static force of a pantograph's own data with the word that no run took it."""
+    of = [one for one in scenario.pantographs if title == f"Pantograph {one.model.name}"]
+    own = any(one.mean_force is None and one.static_force is None for one in of)
+    if row.path != "static_force" or not of or own:
+        return row
+    note = f"Not used in this run: the scenario sets the force. {row.note}".rstrip()
+    return dataclasses.replace(row, note=note)
 
 
 def rows_of(document: Document) -> list[Row]:

@@ -11,6 +11,7 @@ from arcless.figures.description import Figure
 from arcless.figures.run.run_data import RunData
 from arcless.model import MARKS as MEANINGS
 from arcless.model import Scenario
+from arcless.model.advice.unverified import unverified_data
 from arcless.report import summary, tables
 from arcless.report.model_data import groups, marks_used
 
@@ -80,7 +81,7 @@ def run_content(
         Published values to compare with; see `report.write`.
     """
     facts, assessment, scenario = result.metadata, run.assessment, result.scenario
-    data = groups(scenario)
+    data = groups(scenario, facts["static_force_found"])
     method = assessment.certainty_method
     used = marks_used(data) | {row["mark"] for row in reference_rows if row.get("mark")}
     return {
@@ -96,13 +97,13 @@ def run_content(
         "computation": tables.computation(run, facts),
         "numbers": tables.number_rows(run),
         "certainty": tables.certainty_rows(assessment),
-        "certainty_words": explained(method) if method else [],
+        "certainty_words": explained(method, with_times=False) if method else [],
         "certainty_reads": CERTAINTY_READS,
         "reference_rows": tables.reference_cells(reference_rows),
         "energies": tables.energy_rows(run),
         "groups": data,
         "marks": marks_of(assessment, used),
-        "warnings": (facts["warnings"] or [])[:MAX_WARNINGS],
+        "warnings": [*unverified_data(scenario), *(facts["warnings"] or [])][:MAX_WARNINGS],
     }
 
 

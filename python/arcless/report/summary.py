@@ -19,6 +19,8 @@ from arcless.assess import (
     Criterion,
     decides,
     decimals_of,
+    is_at_limit,
+    shown_verdict,
     uncertainty_of,
     verdict_of,
 )
@@ -28,6 +30,7 @@ from arcless.figures.run.along_track import worst
 from arcless.figures.run.run_data import RunData
 from arcless.figures.run.track import place_name
 from arcless.model import Scenario
+from arcless.report.model_data import origin_of_force
 
 # Distance in m within which the end of a section is at a support. Larger, a span that is assessed
 # in part is not named; smaller, a rounding error names the next span.
@@ -94,10 +97,22 @@ def identity(
         ("Line", scenario.line.name),
         ("Pantograph" if len(names) == 1 else "Pantographs", text),
         ("Speed", f"{3.6 * assessment.speed_m_s:.4g} km/h"),
+        *_static_forces(scenario, facts.get("static_force_found") or {}),
         ("Supply", supply),
         ("Computed", str(facts.get("created", "–"))[:16].replace("T", " ")),
         ("Arcless", str(facts.get("arcless_version", "–"))),
     ]
+
+
+def _static_forces(scenario: Scenario, found: Mapping[str, float]) -> list[tuple[str, str]]:
+    """Return the static forces of the run with their origin; nothing where none is known."""
+    alone = len(scenario.pantographs) == 1
+    texts = [
+        f"{'' if alone else f'{one.name} '}{number(found[one.name])} N, {origin_of_force(one)}"
+        for one in scenario.pantographs
+        if one.name in found
+    ]
+    return [("Static force" if alone else "Static forces", "; ".join(texts))] if texts else []
 
 
 def verdict(assessment: Assessment) -> Verdict:
@@ -188,6 +203,8 @@ def _item(criterion: Criterion) -> str:
     share = 100.0 * abs(value / limit - 1.0) if limit else MOST_PERCENT
     if share < MOST_PERCENT and words != TOO_CLOSE:
         distance += f" ({share:.0f} %)"
+    if is_at_limit(data):
+        distance = f"{side} it by less than {10.0**-decimals:g}{unit}"
     uncertainty = uncertainty_of(criterion.certainty)
     if words == TOO_CLOSE:
         distance += f", certain to ± {number(uncertainty, decimals)}{unit} only"
@@ -207,6 +224,7 @@ def _bullet(criterion: Criterion, mean_force_N: float) -> Bullet:
     limit = _limit(criterion, decimals)
     words = verdict_of(data)
     state = "met" if words == MET else "not-met" if criterion.fails else "open"
+    words = shown_verdict(data)
     return Bullet(
         criterion.title, criterion.pantograph or "", value, unit, limit, words, state,
         f"{value} {unit}, {limit}: {words}", _bar(criterion, uncertainty, mean_force_N),

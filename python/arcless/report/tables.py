@@ -11,6 +11,7 @@ from arcless.assess import (
     Criterion,
     allowance,
     decimals_of,
+    shown_verdict,
     uncertainty_of,
     verdict_of,
 )
@@ -19,6 +20,10 @@ from arcless.display.numbers import difference, number, pair, real_minus
 from arcless.figures.run.energy import energy_terms, settled
 from arcless.figures.run.run_data import RunData
 
+# Labels of the times that a machine took, which are no part of a document that is signed.
+STEPS_TOOK, SET_UP_TOOK = "wall time of the time steps", "wall time of the set-up"
+REAL_TIME = "real-time factor, simulated over wall time"
+TIMES = {STEPS_TOOK, SET_UP_TOOK, REAL_TIME}
 REFERENCE_KEYS = ("quantity", "value", "low", "high", "verdict", "mark", "source")
 
 
@@ -92,13 +97,19 @@ def computation(run: RunData, facts: Mapping[str, Any]) -> list[tuple[str, str]]
     return [
         ("time steps", f"{a.steps:,}".replace(",", " ")),
         ("time step", "–" if step is None else f"{1e3 * float(step):.4g} ms"),
-        ("scheme", str(facts.get("scheme") or "–")),
+        ("scheme", _scheme(facts)),
         ("simulated time", f"{float(facts['simulated_time_s']):.2f} s"),
-        ("wall time of the time steps", f"{number(a.wall_time_s, 2)} s"),
-        ("wall time of the set-up", f"{number(a.setup_time_s, 2)} s"),
-        ("real-time factor, simulated over wall time", number(a.real_time_factor)),
+        (STEPS_TOOK, f"{number(a.wall_time_s, 2)} s"),
+        (SET_UP_TOOK, f"{number(a.setup_time_s, 2)} s"),
+        (REAL_TIME, number(a.real_time_factor)),
         ("relative residual of the energy balance", "–" if residual is None else f"{residual:.1e}"),
     ]
+
+
+def _scheme(facts: Mapping[str, Any]) -> str:
+    """Return the scheme of the steps, and why it has a matrix where that was left to `auto`."""
+    why = facts.get("why_matrix")
+    return f"{facts.get('scheme') or '–'}{f'; a matrix because {why}' if why else ''}"
 
 
 def criterion_rows(assessment: Assessment) -> list[dict[str, Any]]:
@@ -122,7 +133,7 @@ def criterion_row(c: Criterion) -> dict[str, Any]:
         "limit": _limit(c, decimals),
         "margin": _margin(c, decimals),
         "unit": "" if c.unit == "1" else c.unit,
-        "verdict": verdict_of(asdict(c)),
+        "verdict": shown_verdict(asdict(c)),
         "state": "missed" if c.fails else verdict_of(asdict(c)).split(" (")[0],
         "mark": c.mark,
         "source": c.source,

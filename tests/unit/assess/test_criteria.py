@@ -10,11 +10,13 @@ from arcless.assess.criteria import (
     NOT_MET_UNVERIFIED,
     decimals_of,
     evaluate,
+    shown_verdict,
     verdict_of,
 )
 from arcless.assess.facts import speed_notes
 from arcless.assess.rules import ANY_SUPPLY, MEAN_FORCE_TOLERANCE_N, RULES, Facts, HeadLimit
 from arcless.assess.statistics import PantographAssessment
+from arcless.assess.tables import headline
 
 FACTS = Facts(
     "AC 25 kV",
@@ -256,7 +258,7 @@ def test_the_law_of_the_mean_force_says_that_tunnels_have_another(supply: str) -
 @pytest.mark.parametrize(
     ("value", "limit", "unit", "decimals"),
     [
-        (50.83, 50.79, "N", 2), (50.7912, 50.7902, "N", 3), (20.0, 50.0, "N", 1),
+        (50.83, 50.79, "N", 2), (50.7912, 50.7902, "N", 1), (20.0, 50.0, "N", 1),
         (50.0, 50.0, "N", 1), (None, 50.0, "N", 1), (0.6961, 0.7, "1", 3), (190.0, 400.0, "mm", 0),
     ],
 )  # fmt: skip
@@ -264,6 +266,51 @@ def test_two_numbers_that_differ_look_different(
     value: float | None, limit: float, unit: str, decimals: int
 ) -> None:
     assert decimals_of({"value": value, "limit": limit, "unit": unit}) == decimals
+
+
+@pytest.mark.parametrize(
+    ("certainty", "decimals", "words"),
+    [
+        # Known to 3 N: tenths are two digits of it, and hide the thousandth of a difference.
+        ({"spread": 3.0, "discretisation": 0.0}, 1, "met, at the limit"),
+        (None, 1, "met, at the limit"),
+        # Known to 0.003 N: the difference of 0.001 N is shown.
+        ({"spread": 0.003, "discretisation": 0.0}, 3, "met"),
+    ],
+)
+def test_no_more_digits_than_are_known(certainty, decimals: int, words: str) -> None:
+    near = replace(
+        verdict("mean_force"), value=178.799, limit=178.8, passed=True, certainty=certainty
+    )
+    assert decimals_of(asdict(near)) == decimals
+    assert shown_verdict(asdict(near)) == words
+    assert repr(near).endswith(f": {words}>")
+
+
+def test_only_a_hidden_difference_is_at_the_limit() -> None:
+    for value, words in [(30.0, "met"), (30.004, "not met, at the limit"), (30.2, "not met")]:
+        found = verdict("standard_deviation", mean_force_N=100.0, std_force_N=value)
+        assert shown_verdict(asdict(found)) == words
+
+
+def test_the_headline_counts_limits_that_are_not_verified() -> None:
+    at_15_kV = evaluate(replace(FACTS, supply="AC 15 kV"), [GOOD])
+    unverified = [one for one in at_15_kV if one.mark == "C"]
+    assert len(unverified) > 1
+    found = headline(at_15_kV)
+    assert found.state == "met"
+    assert found.text == (
+        f"Met: all {len(at_15_kV)} criteria, {len(unverified)} of them against unverified limits"
+    )
+    (one, *_), sure = unverified, [each for each in at_15_kV if each.mark == "A"]
+    assert headline([*sure, one]).text.endswith(", 1 of them against an unverified limit")
+    assert headline(sure).text == f"Met: all {len(sure)} criteria"
+    # A criterion that is not met leads, and the rest says the same of those that are.
+    missed = replace(sure[0], value=1e4, passed=False)
+    assert headline([missed, *sure[1:], one]).rest == (
+        f"{len(sure)} met, 1 of them against an unverified limit"
+    )
+    assert headline([missed, one]).rest == "1 met against an unverified limit"
 
 
 @pytest.mark.parametrize(

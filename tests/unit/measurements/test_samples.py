@@ -8,7 +8,7 @@ import pytest
 from arcless.errors import MeasurementError
 from arcless.measurements import MeasuredPantograph, read
 from arcless.measurements.samples import left_out as kinds
-from arcless.measurements.samples.faults import clipped, frozen, held
+from arcless.measurements.samples.faults import clipped, codes, frozen, held
 from arcless.measurements.samples.pieces import interpolation_loss
 from tests.support.measured import RATE, SPEED, force, record, times, wave, write
 
@@ -109,6 +109,27 @@ def test_clipped_samples_are_left_out(file: Path) -> None:
     assert {one.samples for one in short} <= {1, 2}
     kept = 5000 - np.count_nonzero(over) - sum(one.samples for one in short)
     assert found.force.size == kept
+
+
+@pytest.mark.parametrize("code", [-999.0, 999.0, -9999.0, 99999.0, -999.9, 9_990.0])
+@pytest.mark.parametrize("count", [1, 6])
+def test_a_code_for_no_value_is_left_out(file: Path, code: float, count: int) -> None:
+    # Once it would be a force; several times it would be told as the end of the sensor's range.
+    coded = with_values(force(times()), slice(2000, 2000 + count), code)
+    found = measured(file, contact_force=coded)
+    assert told(found) == [(kinds.CODE, 2002, 2001 + count, count)]
+    assert np.array_equal(found.force, np.delete(force(times()), np.s_[2000 : 2000 + count]))
+
+
+def test_a_number_of_nines_among_others_is_a_force() -> None:
+    signal = np.array([100.0, 300.0, 120.0, 99.0, 210.0, NAN])
+    assert not codes(np.r_[signal, 999.0 * np.ones(0)]).any()
+    # 999 N is 699 N above the others, 3.5 times their range; 499 N is no code.
+    assert np.flatnonzero(codes(np.r_[signal, 999.0, 499.0])).tolist() == []
+    assert np.flatnonzero(codes(np.r_[signal, 999.0])).tolist() == [6]
+    # Forces that go up to 800 N may have such a peak.
+    assert not codes(np.r_[signal, 800.0, 999.0]).any()
+    assert not codes(np.full(5, 999.0)).any()
 
 
 def test_lost_contact_is_neither_clipped_nor_frozen(file: Path) -> None:

@@ -121,7 +121,8 @@ def test_the_first_screen_says_what_was_run_and_what_came_of_it(page: str) -> No
         "Speed 72 km/h",
         "Supply AC 25 kV",
         "Arcless 0.0.0",
-        "Beyond a limit that is not verified: 1 of 9 criteria 7 met; 1 not judged",
+        "Beyond a limit that is not verified: 1 of 9 criteria 7 met, 2 of them against unverified"
+        " limits; 1 not judged",
         "mean contact force F_m, upper limit: 100.0 N, limit ≤ 92.4 N, tolerance 1 N,"
         " 7.6 N above it (8 %); the limit is not verified, mark C",
         "Worst place: ",

@@ -7,10 +7,12 @@ import pytest
 
 from arcless.assess import assess
 from arcless.figures.run.run_data import RunData
+from arcless.model import load
 from arcless.report.summary import (
     LENGTH,
     bullets,
     grouped,
+    identity,
     judged_on,
     leading,
     verdict,
@@ -23,7 +25,7 @@ def test_an_unverified_limit_is_no_failure() -> None:
     found = verdict(assess(synthetic_dataset()))
     assert (found.state, found.sign) == ("open", "≈")
     assert found.text == "Beyond a limit that is not verified: 1 of 9 criteria"
-    assert found.rest == "7 met; 1 not judged"
+    assert found.rest == "7 met, 2 of them against unverified limits; 1 not judged"
     (item,) = found.items
     assert item == (
         "mean contact force F_m, upper limit: 100.0 N, limit ≤ 92.4 N, tolerance 1 N,"
@@ -82,9 +84,12 @@ def test_everything_met() -> None:
     data = scenario_data(line__design={"uplift_space": None})
     calm = assess(synthetic_dataset(scenario=data, force=lambda t: 80.0 + 0.0 * t))
     found = verdict(calm)
-    assert (found.state, found.text, found.rest) == ("met", "Met: 7 of 9 criteria", "2 not judged")
+    # Limits of a supply that nobody gave are assumed, that of NQ is from memory.
+    unverified = ", 4 of them against unverified limits"
+    assert (found.state, found.text) == ("met", f"Met: 7 of 9 criteria{unverified}")
+    assert found.rest == "2 not judged"
     judged = [one for one in calm.criteria if one.passed]
-    assert verdict(replace(calm, criteria=judged)).text == "Met: all 7 criteria"
+    assert verdict(replace(calm, criteria=judged)).text == f"Met: all 7 criteria{unverified}"
     assert verdict(replace(calm, criteria=[])).text == "Not judged: all 0 criteria"
 
 
@@ -168,3 +173,15 @@ def test_the_worst_place_in_words() -> None:
     assert (
         words == "maximum contact force of front, 150 N, at 330.0 m, span 7, 5.0 m after dropper 3."
     )
+
+
+def test_the_first_screen_has_the_static_force_of_the_run() -> None:
+    assessment = assess(synthetic_dataset())
+    own = load("norway-s25-250")
+    told = dict(identity(own, assessment, {"static_force_found": {"P1": 73.25}}))
+    assert told["Static force"] == "73.2 N, found for a mean contact force of 130.6 N"
+    given = own.with_(**{"pantographs.0.static_force": "70 N"})
+    told = dict(identity(given, assessment, {"static_force_found": {"P1": 70.0}}))
+    assert told["Static force"] == "70.0 N, given by the scenario"
+    # Results of early versions do not have it.
+    assert "Static force" not in dict(identity(own, assessment, {"static_force_found": None}))

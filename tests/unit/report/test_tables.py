@@ -5,9 +5,10 @@ import pytest
 from arcless.assess import assess
 from arcless.assess.quantities import OF_PANTOGRAPH, WEAR
 from arcless.figures.run.run_data import RunData
-from arcless.model import load
-from arcless.report.model_data import MAX_ROWS, groups, marks_used
+from arcless.model import Scenario, load
+from arcless.report.model_data import MAX_ROWS, Row, groups, marks_used
 from arcless.report.tables import (
+    computation,
     criterion_rows,
     indicator_rows,
     line_rows,
@@ -134,3 +135,42 @@ def test_defaults_stand_apart_from_values_that_were_given() -> None:
     assert "design.uplift_limited" in defaults
     assert given.isdisjoint(defaults)
     assert len(line.given) + len(line.defaults) == len(line.rows)
+
+
+def _forces_of(scenario: Scenario, forces: dict[str, float] | None) -> dict[str, Row]:
+    found = [row for group in groups(scenario, forces) for row in group.rows]
+    return {row.path: row for row in found if row.path.endswith("static_force")}
+
+
+def test_the_static_force_of_the_run_is_listed_with_its_origin() -> None:
+    own = load("norway-s25-250")
+    rows = _forces_of(own, {"P1": 73.25})
+    found = rows["pantographs.0.static_force"]
+    assert (found.value, found.mark) == ("73.25 N", "D")
+    assert found.note == "Of this run: found for a mean contact force of 130.6 N."
+    # The pantograph's own, 120 N, was not used.
+    assert rows["static_force"].value == "120 N"
+    assert rows["static_force"].note.startswith(
+        "Not used in this run: the scenario sets the force."
+    )
+
+
+def test_a_static_force_that_is_used_has_no_remark() -> None:
+    data = scenario_data()
+    data["pantographs"][0].pop("static_force")
+    data["pantographs"][0]["model"]["static_force"] = 60.0
+    rows = _forces_of(load(data), {"P1": 60.0})
+    assert list(rows) == ["static_force"]
+    assert rows["static_force"].note == ""
+    # A statement without a run, of a line at rest, says nothing about forces.
+    assert "pantographs.0.static_force" not in _forces_of(load("norway-s25-250"), None)
+
+
+def test_the_computation_says_why_it_has_a_matrix() -> None:
+    dataset = synthetic_dataset()
+    run = RunData(dataset, assess(dataset))
+    facts = {"simulated_time_s": 1.0, "scheme": "generalised-alpha"}
+    why = "solver.time_step of 2 ms is too long for explicit steps"
+    told = dict(computation(run, {**facts, "why_matrix": why}))
+    assert told["scheme"] == f"generalised-alpha; a matrix because {why}"
+    assert dict(computation(run, {**facts, "why_matrix": ""}))["scheme"] == "generalised-alpha"

@@ -237,6 +237,7 @@ def _show(found: "Assessment") -> None:
     console.show(
         tables.statistics(assessment),
         tables.criteria(assessment),
+        tables.verdict(assessment),
         *tables.certainty(assessment),
         *tables.notes(assessment),
         section,

@@ -219,10 +219,14 @@ def variant(
 ) -> None:
     """Write the scenario of one variant, which `arcless run` takes."""
     from arcless import study as studies
+    from arcless.errors import ModelError
     from arcless.storage.whole_files import write_bytes
     from arcless.study.evaluation.variants import scenario
     from arcless.study.folder.started_studies import located
 
+    if out is not None and out.suffix.lower() in {".yaml", ".yml", ".json"}:
+        raise ModelError("--out", got=str(out), expected="the folder of the study",
+                         hint=f"--to {out} writes the scenario into this file")  # fmt: skip
     loaded, out = located(file, out)
     if isinstance(loaded.design, studies.Optimise):
         studies.StudyFolder(loaded, out).recall()

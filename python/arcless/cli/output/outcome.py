@@ -114,6 +114,7 @@ def say_written(files: list[Path]) -> None:
 
 def _show(scenario: "Scenario", assessment: dict[str, Any]) -> None:
     from arcless.cli.terminal import tables
+    from arcless.model.advice.unverified import unverified_data
     from arcless.validate import case_of, compare
 
     case = case_of(scenario)
@@ -121,8 +122,10 @@ def _show(scenario: "Scenario", assessment: dict[str, Any]) -> None:
     console.show(
         tables.statistics(assessment, rows),
         tables.criteria(assessment),
+        tables.verdict(assessment),
         *tables.certainty(assessment),
         *tables.notes(assessment),
+        *tables.listed("Warnings", unverified_data(scenario)),
     )
     console.show(f"Computed with {scenario.choice.sentence}.\n")
     if case:

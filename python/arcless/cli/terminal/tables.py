@@ -17,6 +17,7 @@ from arcless.assess import (
     TOO_CLOSE,
     allowance,
     decimals_of,
+    shown_verdict,
     uncertainty_of,
     verdict_of,
 )
@@ -149,7 +150,7 @@ def criteria(assessment: dict[str, Any]) -> Table:
             values[str(row)],
             _limit(item),
             item["unit"].replace("1", ""),
-            _verdict(verdict_of(item)),
+            Text(shown_verdict(item), style=_STYLES[verdict_of(item)]),
             f"{item['source']} ({item['mark']})",
         )
     return made
@@ -157,9 +158,17 @@ def criteria(assessment: dict[str, Any]) -> Table:
 
 def notes(assessment: dict[str, Any]) -> list[str]:
     """Return remarks about the numbers, a line each."""
-    if not assessment["notes"]:
-        return []
-    return ["Notes:\n" + "".join(f"- {note}\n" for note in assessment["notes"])]
+    return listed("Notes", assessment["notes"])
+
+
+def listed(title: str, lines: Sequence[str]) -> list[str]:
+    """Return lines below a title; nothing where there are none."""
+    return [f"{title}:\n" + "".join(f"- {line}\n" for line in lines)] if lines else []
+
+
+def verdict(assessment: dict[str, Any]) -> str:
+    """Return the verdict over all criteria, as the report has it."""
+    return f"{assessment['verdict']}.\n"
 
 
 def _stopped(assessment: dict[str, Any]) -> str:

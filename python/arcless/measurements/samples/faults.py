@@ -1,4 +1,6 @@
-"""Samples that a sensor or a recorder spoilt: clipped, frozen, and values held between samples."""
+"""Samples that a sensor or a recorder spoilt: codes, clipped, frozen, held between samples."""
+
+import re
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,6 +20,30 @@ FROZEN_S = 0.1
 # Share of equal stretches of one length above which a value is held between samples, as a recorder
 # that is faster than its sensor does. Less would see it in resolution.
 HELD_SHARE = 0.8
+
+# Numbers that recorders write for no value: 999, 9999 and so on in any power of ten, any sign.
+_CODE = re.compile(r"0*9{3,}0*")
+# Ranges of the other values that a code is away from them at least. Fewer would take a real peak of
+# 999 for a code; more lets 999 N pass for a force among those of 100 to 300 N.
+CODE_RANGES = 2.0
+
+
+def codes(values: Floats) -> Mask:
+    """Return which samples are a usual code for no value, far outside the others."""
+    finite = np.isfinite(values)
+    levels = [level for level in np.unique(values[finite]) if _is_code(level)]
+    is_code = np.isin(values, levels)
+    others = values[finite & ~is_code]
+    if not levels or not others.size:
+        return np.zeros(values.shape, bool)
+    low, high = float(others.min()), float(others.max())
+    away = np.maximum(low - values, values - high)
+    return is_code & (away > CODE_RANGES * (high - low)) & (away > 0.0)
+
+
+def _is_code(value: float) -> bool:
+    digits = f"{abs(value):.9g}"
+    return "e" not in digits and _CODE.fullmatch(digits.replace(".", "")) is not None
 
 
 def stretches(values: Floats) -> tuple[NDArray[np.intp], NDArray[np.intp]]:

@@ -6,6 +6,7 @@ from typing import Any
 
 GAP = "gap"
 EMPTY = "empty cell"
+CODE = "code for no value"
 DUPLICATE = "duplicate"
 CLIPPED = "clipped"
 FROZEN = "frozen"
@@ -17,6 +18,7 @@ SHORT = "too short between two gaps"
 WORDS = {
     GAP: "samples are missing",
     EMPTY: "the cell is empty or no number",
+    CODE: "the value is a usual code for no value, such as −999, far outside the others",
     DUPLICATE: "the sample is there twice",
     CLIPPED: "the sensor is at an end of its range",
     FROZEN: "the value does not change",

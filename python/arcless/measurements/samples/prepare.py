@@ -11,7 +11,7 @@ from arcless.errors import MeasurementError
 from arcless.measurements.samples import inertia
 from arcless.measurements.samples import left_out as kinds
 from arcless.measurements.samples.clock import Clock, clock
-from arcless.measurements.samples.faults import CLIPPED_SAMPLES, clipped, frozen, held
+from arcless.measurements.samples.faults import CLIPPED_SAMPLES, clipped, codes, frozen, held
 from arcless.measurements.samples.inertia import Head
 from arcless.measurements.samples.left_out import LeftOut
 from arcless.measurements.samples.pantograph import MeasuredPantograph
@@ -109,6 +109,10 @@ def _good(raw: Raw, when: Clock, force: Floats, hold: int, told: list[LeftOut]) 
     step = usual_step(when.time)
     for title, values in raw.measured.items():
         told += stretches_of(np.isnan(values), kinds.EMPTY, raw, when, title)
+        code = codes(values)
+        told += stretches_of(code, kinds.CODE, raw, when, title)
+        good &= ~code
+        values = np.where(code, np.nan, values)  # noqa: PLW2901 - a code is no end of a range
         lower, upper = clipped(values, CLIPPED_SAMPLES * hold)
         ends = lower | upper
         dead = frozen(values, step * hold) & ~ends

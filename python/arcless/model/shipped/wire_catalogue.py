@@ -101,10 +101,17 @@ def _entry(field: str, name: str) -> CatalogueWire:
             got=show(name),
             expected="the name of a wire in the catalogue, or mass, axial_stiffness and "
             "bending_stiffness in its place",
-            hint=nearest(name, list(known)),
+            hint=nearest(name, _fitting(field)),
             field=(field, "catalogue"),
         )
     return known[name]
+
+
+def _fitting(field: str) -> list[str]:
+    """Return the wires that a field may mean: contact wires there, strands elsewhere."""
+    wanted = "contact wire" if field == "contact_wire" else "strand"
+    wires = catalogue().wires
+    return [name for name, wire in wires.items() if wanted in wire.description.lower()]
 
 
 def _add_provenance(data: dict[str, Any], field: str, wire: str, keys: list[str]) -> None:

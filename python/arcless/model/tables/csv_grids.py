@@ -10,7 +10,7 @@ from arcless.model.files.yaml_reader import read_text
 from arcless.model.tables.grids import Cell, Grid
 
 _SEPARATOR = re.compile(r"sep=(.)", re.IGNORECASE)
-_COMMA = re.compile(r"[+\-\u2212]?\d+,\d+")
+_COMMA = re.compile(r"[+\-\u2212]?\d+,\d+(?:\s*[A-Za-zµ]+)?")  # also before a unit, to say so
 _POINT = re.compile(r"[+\-\u2212]?\d*\.\d+")
 
 

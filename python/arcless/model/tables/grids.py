@@ -20,9 +20,19 @@ from arcless.units import (
 
 # So many mistakes of one sheet are told at once.
 MOST_TOLD = 10
-# Units that examples in messages are written in.
-_USUAL = {"m": "mm"}
+# Largest usual values of columns in m, least and most: by them the unit of numbers is guessed.
+_USUAL = {
+    "position": (0.5, 500.0), "length": (0.05, 500.0), "contact_wire_height": (3.0, 20.0),
+    "stagger": (0.02, 1.0), "presag": (0.001, 0.5), "cant": (0.01, 0.3), "radius": (100.0, 1e5),
+}  # fmt: skip
+_OTHERS = (0.5, 1e5)
+# Units of length that tables have, most usual first.
+_LENGTHS = ("m", "mm", "cm")
+# Columns that drawings have in mm where their numbers do not say it.
+_FINE = ("stagger", "presag", "cant")
 _UNIT = re.compile(r"(.*?)\s*(?:\[([^\[\]]*)\]|\(([^()]*)\))")
+# Letters of a word by which a column is found.
+_LEAST_WORD = 3
 _WHOLE = re.compile(r"[1-9]\d{0,8}")
 _SKIPPED = "#"
 # The sign that typesetting and some spreadsheets have for a hyphen.
@@ -169,7 +179,8 @@ def _header(grid: Grid, sheet: Sheet) -> tuple[dict[str, str], dict[str, int]]:
         if name in units:
             got = f"{show(name)} again, as in column {places[name] + 1}"
             raise ModelError("column given twice", where=where, got=got, expected="it once")
-        units[name] = _checked_unit(sheet.by_name[name], unit, grid.at(row, place, name))
+        column = sheet.by_name[name]
+        units[name] = _checked_unit(column, unit, grid.at(row, place, name), grid, place)
         places[name] = place
     missing = [column.spelt for column in sheet.columns
                if column.is_needed and column.name not in units]  # fmt: skip
@@ -193,7 +204,7 @@ def _named(cell: Cell, sheet: Sheet, where: str) -> tuple[str, str]:
     if match is None and _key(text) not in known and _key(front) in known:
         name, unit = front, last
     if _key(name) not in known:
-        hint = nearest(name.strip(), list(sheet.by_name))
+        hint = _meant(name.strip(), sheet)
         raise ModelError(
             "unknown column", where=where, got=show(text), expected=sheet.expected,
             hint=f"{hint}; a column whose header begins with {_SKIPPED} is left out",
@@ -201,19 +212,29 @@ def _named(cell: Cell, sheet: Sheet, where: str) -> tuple[str, str]:
     return known[_key(name)], unit.strip()
 
 
+def _meant(name: str, sheet: Sheet) -> str:
+    """Return the hint for an unknown column: those with its last words, or the nearest one."""
+    for word in reversed(re.findall(r"\w+", name.replace("_", " ").lower())):
+        found = [own for own in sheet.by_name if word in own]
+        if len(word) >= _LEAST_WORD and found:
+            listed = " or ".join([", ".join(found[:-1]), found[-1]] if found[1:] else found)
+            return f"did you mean {listed}?"
+    return nearest(name, list(sheet.by_name))
+
+
 def _key(name: str) -> str:
     """Return a name without what is written in several ways: `Pre-sag` is `presag`."""
     return re.sub(r"[\s_-]+", "", name.lower())
 
 
-def _checked_unit(column: ColumnOf, unit: str, where: str) -> str:
+def _checked_unit(column: ColumnOf, unit: str, where: str, grid: Grid, place: int) -> str:
     if not column.unit:
         if unit:
             expected = f"{column.name} without a unit"
             raise ModelError("unit", where=where, got=show(unit), expected=expected)
         return ""
     if not unit:
-        usual = spell(_USUAL.get(column.unit, column.unit))
+        usual = _guessed_unit(column, grid, place)
         raise ModelError("unit missing", where=where, got=show(column.name),
                          expected=f"{column.name} with its unit: {accepted(column.unit)}",
                          hint=f"write {column.name} [{usual}]")  # fmt: skip
@@ -223,6 +244,30 @@ def _checked_unit(column: ColumnOf, unit: str, where: str) -> str:
         error.what, error.where, error.got = "unit", where, show(unit)
         raise
     return unit
+
+
+def _guessed_unit(column: ColumnOf, grid: Grid, place: int) -> str:
+    """Return the unit that the numbers of a column without one probably have."""
+    if column.unit != "m":
+        return spell(column.unit)
+    kind = column.name.partition("_")[0] if column.name.startswith("stagger") else column.name
+    least, most = _USUAL.get(kind, _OTHERS)
+    numbers = [
+        _plain_number(cells[place], grid) for _, cells in grid.rows[1:] if place < len(cells)
+    ]
+    largest = max((abs(number) for number in numbers if number is not None), default=0.0)
+    fitting = (unit for unit in _LENGTHS if least <= to_si(f"{largest!r} {unit}", "m") <= most)
+    return next(fitting, "mm" if kind in _FINE else "m")
+
+
+def _plain_number(cell: Cell, grid: Grid) -> float | None:
+    if isinstance(cell, Odd) or cell is None:
+        return None
+    text = _text(cell)
+    try:
+        return float(text.replace(",", ".") if grid.has_decimal_comma else text)
+    except ValueError:
+        return None
 
 
 def _value(cell: Cell, column: ColumnOf, unit: str, grid: Grid) -> Any:
@@ -244,7 +289,19 @@ def _value(cell: Cell, column: ColumnOf, unit: str, grid: Grid) -> Any:
         return int(text)
     if grid.has_decimal_comma and text.count(",") == 1 and "." not in text:
         text = text.replace(",", ".")
-    return _number(text.replace(_MINUS, "-"), column.unit, unit, show(_text(cell)))
+    try:
+        return _number(text.replace(_MINUS, "-"), column.unit, unit, show(_text(cell)))
+    except ModelError as error:
+        if grid.has_decimal_comma:
+            error.hint = _with_comma(error.hint, text)
+        raise
+
+
+def _with_comma(hint: str | None, text: str) -> str | None:
+    """Return a hint about a number for a file whose numbers have a decimal comma."""
+    if "," in text and "." in text:
+        return "the numbers of this file have a decimal comma: write digits without separators"
+    return None if hint is None else re.sub(r"(?<=\d)\.(?=\d)", ",", hint)
 
 
 def _number(text: str, kind: str, unit: str, got: str) -> float:

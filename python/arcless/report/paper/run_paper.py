@@ -29,9 +29,13 @@ from arcless.report.paper.blocks import (
 )
 from arcless.report.paper.explained import explained_tables, said
 from arcless.report.run_content import ReportedRun, Rows, run_content
+from arcless.report.tables import TIMES
 
 UNSURE = "Uncertainty was not computed; `arcless run --certainty` computes it."
-SURE = "± is the spread over starts and the error of discretisation, see Certainty of the numbers."
+SURE = (
+    "± is the uncertainty of the difference between value and limit: spread over starts plus error"
+    " of discretisation, see Certainty of the numbers."
+)
 # Verdict on a criterion, or place in a published range → meaning of its colour.
 _TONES: dict[str, Tone] = {
     "met": "met", "inside": "met", "missed": "not_met", "outside": "not_met", "absent": ""
@@ -224,8 +228,6 @@ def _model(content: Mapping[str, Any]) -> Iterator[Block]:
 
 def _defaults(content: Mapping[str, Any]) -> Iterator[Block]:
     groups: list[Group] = content["groups"]
-    if any(group.defaults for group in groups):
-        yield Paragraph("Default values.", soft=True)
     for group in groups:
         if group.defaults:
             yield from (Heading(group.title), _values(group.defaults))
@@ -247,7 +249,8 @@ def _values(rows: Sequence[Row]) -> Table:
 
 
 def _computation(content: Mapping[str, Any], drawn: Mapping[str, Sequence[Figure]]) -> list[Block]:
-    blocks: list[Block] = [Pairs(content["computation"])]
+    told = [(label, text) for label, text in content["computation"] if label not in TIMES]
+    blocks: list[Block] = [Pairs(told)]
     if content["facts"]["command"]:
         blocks += [
             Paragraph("The command that computes this run:"), Code(content["facts"]["command"])

@@ -33,8 +33,8 @@ STANDARDS: "list[PDFStandard]" = ["a-2a", "ua-1"]
 # Width of the text, and of figures of which so many stand next to each other, in mm.
 WIDTH_MM, GAP_MM = 170.0, 6.0
 # Height of figures over that on a page of the screen: alone, where three have room on a page of
-# paper, and next to others.
-HEIGHT, PAIRED_HEIGHT = 0.72, 0.62
+# paper under a heading, and next to others.
+HEIGHT, PAIRED_HEIGHT = 0.64, 0.56
 # Letters that are missing are named up to this number.
 _MOST_NAMED = 10
 _TEMPLATE = Path(__file__).with_name("document.typ")

@@ -78,6 +78,23 @@ def test_a_matrix_has_residual_flexibility_where_it_can() -> None:
     assert updated.stepping.contact_wire_element_m == 0.35
 
 
+def test_a_trailing_pantograph_without_residual_flexibility_is_warned_of() -> None:
+    off = {"solver.scheme": MATRIX, "solver.residual_flexibility": False}
+    two = load("ac-simple-320-two-pantographs")
+
+    def about(scenario: Scenario) -> list[str]:
+        found = scenario_warnings(scenario)
+        return [text for text in found if text.startswith("solver.residual_flexibility")]
+
+    (text,) = about(two.with_(**off))
+    assert "σ of a trailing pantograph is too low" in text
+    assert about(two.with_(**{"solver.scheme": MATRIX})) == []
+    assert about(two) == []  # point masses have it in their links
+    # One pantograph, and kinematics that cannot have it, are not warned of.
+    assert about(AC_SIMPLE.with_(**off)) == []
+    assert about(two.with_(**{"solver.kinematics": "updated"})) == []
+
+
 def test_what_is_given_stays() -> None:
     given = {"solver.contact_wire_element": 0.2, "solver.time_step": "0.5 ms"}
     assert taken(AC_SIMPLE.with_(**given)) == (EXPLICIT, "lumped", 0.2, 0.35, 0.5e-3)

@@ -62,6 +62,30 @@ def test_an_unknown_wire_is_named_with_its_place_and_the_nearest(tmp_path: Path)
     assert 'got "BzII 7O"' in message and "did you mean BzII 70?" in message
 
 
+def test_every_wire_of_the_catalogue_is_a_contact_wire_or_a_strand() -> None:
+    words = [wire.description.lower() for wire in catalogue().wires.values()]
+    assert all(("contact wire" in text) != ("strand" in text) for text in words)
+
+
+@pytest.mark.parametrize(
+    ("field", "name", "told"),
+    [
+        # Nearest of all names are the contact wires CTMH-120 and Cu AC-100.
+        ("messenger_wire", "CTMH-12O", "did you mean JTMH-120?"),
+        ("messenger_wire", "CuAC-100", "known: BzII 50, BzII 70"),
+        ("stitch_wire", "bronze", "known: BzII 50, BzII 70"),
+        ("contact_wire", "TMH-120", "did you mean CTMH-120?"),
+        ("contact_wire", "Ri 100", "known: Cu AC-100, CuAg AC-120"),
+    ],
+)
+def test_the_hint_names_wires_of_the_kind(field: str, name: str, told: str) -> None:
+    data = stitched_data()
+    data[field] = {"catalogue": name, "tension": "15 kN"}
+    with pytest.raises(ModelError, match=f"{field}.catalogue: unknown wire") as caught:
+        load_line(data)
+    assert told in str(caught.value)
+
+
 @pytest.mark.parametrize("name", [12, ["CuAg AC-120"]])
 def test_a_name_that_is_no_text_is_refused(name: object) -> None:
     with pytest.raises(ModelError, match=r"contact_wire"):

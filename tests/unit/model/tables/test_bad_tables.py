@@ -146,6 +146,58 @@ def test_the_file_stays_when_a_table_is_wrong(folder: Path, tmp_path: Path) -> N
     assert file.read_text() == TEXT
 
 
+@pytest.mark.parametrize(
+    ("sheet", "change", "hint"),
+    [
+        # The unit that fits the numbers: spans of 60 m, pre-sag of millimetres, in m or in mm.
+        ("spans", swap("length [m]", "length"), "write length [m]"),
+        ("spans", lambda text: text.replace("length [m]", "length").replace(",60.0", ",60000"),
+         "write length [mm]"),
+        ("supports", swap("contact_wire_height [m]", "contact_wire_height"),
+         "write contact_wire_height [m]"),
+        ("droppers", swap("presag [m]", "presag"), "write presag [m"),
+        ("supports", swap("stagger_contact_wire [m]", "stagger_contact_wire"),
+         "write stagger_contact_wire ["),
+        # The column that is meant.
+        ("droppers", swap("presag [m]", "dropper sag [m]"), "did you mean presag?"),
+        ("droppers", swap("presag [m]", "sag (mm)"), "did you mean presag?"),
+        ("supports", swap("stagger_contact_wire", "stagger"), "did you mean"
+         " stagger_contact_wire, stagger_messenger_wire or stagger_auxiliary_wire?"),
+        ("supports", swap("contact_wire_height", "height"), "did you mean contact_wire_height?"),
+        ("spans", swap("length [m]", "span length [m]"), "did you mean length?"),
+    ],
+)  # fmt: skip
+def test_the_hint_fits_the_column(folder: Path, sheet: str, change: Change, hint: str) -> None:
+    spoil(folder, sheet, change)
+    assert f"hint: {hint}" in told(folder).splitlines()[0]
+
+
+@pytest.mark.parametrize(
+    ("cell", "hint"),
+    [
+        ("60,5 m", "the unit is in the header: write 60,5"),
+        ("sixty", "write a number such as 1,5; its unit is in the header"),
+        ("1.060,5", "the numbers of this file have a decimal comma: write digits without"),
+    ],
+)
+def test_a_file_with_decimal_commas_is_answered_with_commas(
+    folder: Path, cell: str, hint: str
+) -> None:
+    def german(text: str) -> str:
+        text = text.replace(",", ";").replace(".", ",")
+        return text.replace("3;standard;60,0", f"3;standard;{cell}")
+
+    spoil(folder, "spans", german)
+    message = told(folder).splitlines()[0]
+    assert "row 4, column length" in message
+    assert f"hint: {hint}" in message
+
+
+def test_a_number_with_a_unit_shows_a_decimal_comma_too(folder: Path) -> None:
+    spoil(folder, "spans", whole("span;length [m]\n1;60,5 m\n"))
+    assert "hint: the unit is in the header: write 60,5" in told(folder).splitlines()[0]
+
+
 @pytest.mark.parametrize("name", ["spans", "droppers"])
 def test_a_sheet_that_is_missing_is_told(folder: Path, name: str) -> None:
     (folder / f"{name}.csv").unlink()

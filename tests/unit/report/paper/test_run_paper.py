@@ -10,9 +10,10 @@ import pytest
 
 from arcless import report
 from arcless.assess import assess
+from arcless.assess.certainty_words import explained
 from arcless.errors import OutputError
 from arcless.report.paper import run_paper
-from arcless.report.paper.blocks import Bars, Cell, Document, Pictures, Table
+from arcless.report.paper.blocks import Bars, Cell, Document, Pairs, Pictures, Table
 from arcless.results import Result
 from tests.support.pdf import blocks_of, cells_of, text_of
 from tests.support.synthetic import scenario_data, synthetic_dataset
@@ -104,6 +105,19 @@ def test_a_margin_beyond_the_limit_is_negative_and_counts_the_tolerance() -> Non
     limit, tolerance = (float(one) for one in mean["limit"].removeprefix("≤ ").split(" + "))
     assert mean["margin"].startswith("−")
     assert -float(mean["margin"][1:]) == pytest.approx(limit + tolerance - 300.0, abs=0.02)
+
+
+def test_a_document_that_is_signed_has_no_times_of_a_machine() -> None:
+    document = run_paper.document(result_of(synthetic_dataset()))
+    labels = [label for block in blocks_of(document, Pairs) for label, _ in block.rows]
+    assert "time steps" in labels
+    assert [label for label in labels if "wall time" in label or "real-time" in label] == []
+    method = {
+        "wall_time_s": {"starts": 27.9, "other_family": 76.1}, "student_factor": 2.36, "runs": 8,
+        "starts_m": [60.0, 112.5], "coverage": 0.95, "other_family": None,
+    }  # fmt: skip
+    assert "27.9 s of computing" in " ".join(explained(method))
+    assert "of computing" not in " ".join(explained(method, with_times=False))
 
 
 def test_a_verdict_that_is_unsure_is_not_coloured_as_met() -> None:
