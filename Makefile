@@ -73,7 +73,7 @@ evidence: build ## run every check, the slow ones too, and write the pages of do
 	$(KEEPING) $(WITH_PEERS) -m pytest $(ON_ALL_CORES) --dist=loadfile -m "" --publish \
 	tests/verification tests/faults tests/drills
 	$(KEEPING) $(BIN)/python -m pytest $(ON_ALL_CORES) -m evidence \
-	tests/golden tests/hostile tests/interface tests/scenarios tests/unit
+	tests/golden tests/hostile tests/interface tests/pages tests/scenarios tests/studio tests/unit
 	OPENBLAS_NUM_THREADS=1 $(BIN)/python docs/make_pages.py --all
 
 pages: build ## write the generated parts of pages that take seconds; CHECK=1 says which are out of date

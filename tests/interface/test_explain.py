@@ -71,6 +71,7 @@ def keys_of(data: object) -> set[str]:
     return set().union(*map(keys_of, data)) if isinstance(data, list) else set()
 
 
+@pytest.mark.evidence
 def test_the_worked_case_of_the_guide(arcless: Run) -> None:
     text = GUIDE.read_text("utf-8")
     commands = re.findall(r"```sh\n(.*?)```", text, re.DOTALL)

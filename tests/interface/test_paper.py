@@ -26,6 +26,7 @@ def test_the_report_of_a_run(arcless: Run, finished: Path, tmp_path: Path) -> No
     assert "The command that computes this run" in text
 
 
+@pytest.mark.evidence
 def test_page_and_file_together(arcless: Run, finished: Path, tmp_path: Path) -> None:
     done = arcless("report", finished, "--out", "run.html", "--pdf", "run.pdf")
     assert done.stdout == "wrote run.html\nwrote run.pdf\n"
@@ -33,6 +34,7 @@ def test_page_and_file_together(arcless: Run, finished: Path, tmp_path: Path) ->
     assert (tmp_path / "run.pdf").read_bytes().startswith(b"%PDF-1.7")
 
 
+@pytest.mark.evidence
 def test_an_old_file_is_replaced_and_the_new_one_is_always_the_same(
     arcless: Run, finished: Path, tmp_path: Path
 ) -> None:
@@ -46,6 +48,7 @@ def test_an_old_file_is_replaced_and_the_new_one_is_always_the_same(
     assert [one.name for one in tmp_path.iterdir()] == ["run.pdf"]
 
 
+@pytest.mark.evidence
 def test_the_comparison(arcless: Run, finished: Path, short: Path, tmp_path: Path) -> None:
     arcless("run", short, "--set", "speed=140 km/h", "--out", "slower", "--no-report", "--quiet")
     done = arcless("compare", finished, "slower", "--pdf", "both.pdf")

@@ -27,6 +27,7 @@ def run(line: str) -> str:
     return done.stdout
 
 
+@pytest.mark.evidence
 def test_the_page(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     pytest.importorskip("typst", reason="typst is not installed")
     pytest.importorskip("matplotlib", reason="matplotlib is not installed")

@@ -136,6 +136,7 @@ def test_an_error_is_told_once_and_by_the_state_of_the_file(studio: Start, folde
     page.until("document.body.innerText.split('droppers out of order').length === 2")
 
 
+@pytest.mark.evidence
 def test_a_text_that_was_changed_elsewhere_is_shown_beside(studio: Start, folder: Path) -> None:
     page = opened(studio, folder)
     yaml(page)
@@ -176,6 +177,7 @@ def test_a_dropper_is_dragged_and_its_field_is_shown(studio: Start, folder: Path
     assert [a != b for a, b in zip(was, now, strict=True)] == [n == 4 for n in range(9)]
 
 
+@pytest.mark.evidence
 def test_numbers_follow_a_slider_and_are_written(studio: Start, folder: Path) -> None:
     page, before = opened(studio, folder), (folder / FILE).read_text("utf-8")
     page.click('role=tab[name="Statics"]')
@@ -199,6 +201,7 @@ def test_numbers_follow_a_slider_and_are_written(studio: Start, folder: Path) ->
     assert saved(folder, page) == before.replace(TYPED, "23 kN", 1)
 
 
+@pytest.mark.evidence
 @pytest.mark.parametrize("size", [SMALL, PHONE])
 def test_it_is_used_without_a_large_screen(studio: Start, folder: Path, size: Any) -> None:
     page = opened(studio, folder, size)

@@ -87,11 +87,13 @@ def stopped_in_a_run(server: Studio, page: Window, seconds: float, *, with_all: 
     page.server_is_gone()
 
 
+@pytest.mark.evidence
 def test_a_server_that_is_stopped_is_said_not_to_answer(studio: Start, folder: Path) -> None:
     server = studio(folder)
     stopped_in_a_run(server, server.open(), 0.0, with_all=False)
 
 
+@pytest.mark.evidence
 def test_server_and_page_stopped_as_on_a_closed_laptop(studio: Start, folder: Path) -> None:
     server = studio(folder)
     page = server.open()
@@ -103,6 +105,7 @@ def test_server_and_page_stopped_as_on_a_closed_laptop(studio: Start, folder: Pa
     page.wait(TEXT)
 
 
+@pytest.mark.evidence
 def test_a_run_that_was_ended_with_its_server_is_offered_again(studio: Start, folder: Path) -> None:
     server = studio(folder)
     page = server.open()
@@ -123,6 +126,7 @@ def test_a_run_that_was_ended_with_its_server_is_offered_again(studio: Start, fo
     assert page.count(".messages li") == 0
 
 
+@pytest.mark.evidence
 def test_two_tabs_type_in_one_file(studio: Start, folder: Path) -> None:
     server = studio(folder)
     one = server.open()
@@ -194,6 +198,7 @@ def copied(tmp_path: Path) -> Path:
     return shutil.copytree(BUILT, tmp_path / "page")
 
 
+@pytest.mark.evidence
 def test_a_part_of_a_page_that_was_updated(browser: Browser, folder: Path, copied: Path) -> None:
     with Studio(browser, folder, page=copied) as server:
         page = server.open()
@@ -214,6 +219,7 @@ def test_a_part_of_a_page_that_was_updated(browser: Browser, folder: Path, copie
         page.wait(".statics")
 
 
+@pytest.mark.evidence
 def test_a_page_that_was_updated_while_the_server_was_away(
     browser: Browser, folder: Path, copied: Path
 ) -> None:
@@ -240,6 +246,7 @@ def test_a_page_that_was_updated_while_the_server_was_away(
         page.until(f"{SAID}.includes('158 km/h')")
 
 
+@pytest.mark.evidence
 def test_a_run_that_grows_beyond_all_bounds(studio: Start, tmp_path: Path) -> None:
     (tmp_path / "grows.yaml").write_text(GROWS, "utf-8")
     page = studio(tmp_path).open()

@@ -5,6 +5,7 @@ import signal
 from collections.abc import Callable
 from pathlib import Path
 
+import pytest
 import yaml
 
 from arcless import study
@@ -53,6 +54,7 @@ def test_an_empty_folder_to_a_verdict_in_one_click(studio: Start, tmp_path: Path
     page.until(f"document.querySelector('.transport .where').innerText !== {where!r}")
 
 
+@pytest.mark.evidence
 def test_keys_alone_lead_from_a_shipped_line_to_a_verdict(studio: Start, tmp_path: Path) -> None:
     page = studio(tmp_path).open()
     page.wait(".start")
@@ -81,6 +83,7 @@ def test_keys_alone_lead_from_a_shipped_line_to_a_verdict(studio: Start, tmp_pat
     assert list((tmp_path / "runs").glob("*speed=300_km-h"))
 
 
+@pytest.mark.evidence
 def test_a_variant_is_compared_and_kept(studio: Start, tmp_path: Path) -> None:
     arcless("new", "line", "--from", SHIPPED, "--to", tmp_path)
     arcless("run", tmp_path / "line.yaml", "--out", tmp_path / "runs" / "line", "--quiet")
@@ -107,6 +110,7 @@ def test_a_variant_is_compared_and_kept(studio: Start, tmp_path: Path) -> None:
     assert kept["set"] == {"speed": "300 km/h"}
 
 
+@pytest.mark.evidence
 def test_a_copied_scenario_is_run_and_a_verdict_says_of_what_it_is(
     studio: Start, tmp_path: Path
 ) -> None:
@@ -149,6 +153,7 @@ def test_a_copied_scenario_is_run_and_a_verdict_says_of_what_it_is(
     page.wait('.verdict-of >> text="outdated: changed since"')
 
 
+@pytest.mark.evidence
 def test_a_slider_becomes_a_variant_and_a_schedule_of_droppers(
     studio: Start, tmp_path: Path
 ) -> None:
@@ -184,6 +189,7 @@ def test_a_slider_becomes_a_variant_and_a_schedule_of_droppers(
     assert "Line contact wire: tension" in page.text("main [role=tabpanel]")
 
 
+@pytest.mark.evidence
 def test_a_study_finds_a_better_variant_which_is_run(studio: Start, tmp_path: Path) -> None:
     (tmp_path / "short.yaml").write_text(SHORT)
     page = studio(tmp_path).open()
@@ -224,6 +230,7 @@ def test_a_study_finds_a_better_variant_which_is_run(studio: Start, tmp_path: Pa
     assert told["std_force_N"] == rows[number].outputs["std_force_N"]
 
 
+@pytest.mark.evidence
 def test_two_tabs_and_a_file_changed_outside(studio: Start, tmp_path: Path) -> None:
     arcless("new", "line", "--from", SHIPPED, "--to", tmp_path)
     server = studio(tmp_path)
@@ -240,6 +247,7 @@ def test_two_tabs_and_a_file_changed_outside(studio: Start, tmp_path: Path) -> N
         page.until("document.querySelectorAll('.run-entry').length === 1", RUN)
 
 
+@pytest.mark.evidence
 def test_a_server_that_dies_in_a_run_leaves_no_half_of_it(studio: Start, tmp_path: Path) -> None:
     arcless("new", "line", "--from", SHIPPED, "--to", tmp_path)
     server = studio(tmp_path)
@@ -271,6 +279,7 @@ def test_a_phone(studio: Start, tmp_path: Path) -> None:
     assert page.js("document.documentElement.scrollWidth") <= PHONE["width"]
 
 
+@pytest.mark.evidence
 def test_main_views_are_accessible(studio: Start, tmp_path: Path) -> None:
     arcless("new", "line", "--from", SHIPPED, "--to", tmp_path)
     for name in ("a", "b"):

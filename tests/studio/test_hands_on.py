@@ -50,6 +50,7 @@ def begun(studio: Start, folder: Path, size: dict[str, int] = DESK) -> Window:
     return page
 
 
+@pytest.mark.evidence
 def test_a_hand_on_the_static_force_is_seen_within_a_tenth_of_a_second(
     studio: Start, folder: Path
 ) -> None:

@@ -3,11 +3,13 @@
 import json
 from pathlib import Path
 
+import pytest
 from docs import make_studio
 
 from tests.browser.browser import Browser
 
 
+@pytest.mark.evidence
 def test_the_words_in_the_pictures_are_those_of_the_page(browser: Browser, tmp_path: Path) -> None:
     kept = json.loads(make_studio.WORDS.read_text("utf-8"))
     for name, page in make_studio.every(browser, tmp_path):

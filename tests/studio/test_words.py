@@ -105,6 +105,7 @@ def test_a_broken_line_is_told_once_by_its_path_in_the_folder(
     page.events  # noqa: B018 - the browser says that the broken line was refused
 
 
+@pytest.mark.evidence
 def test_a_line_is_opened_from_statics_and_run_as_a_variant(studio: Start, tmp_path: Path) -> None:
     arcless("new", "line", "--from", SHIPPED, "--to", tmp_path)
     arcless("run", tmp_path / "line.yaml", "--quiet", "--no-report", "--out", tmp_path / "runs/a")
