@@ -69,7 +69,7 @@ DEFINITIONS = {
     ),
     "friction": Definition("both, tensions 3 % lower: friction of weights", both(0.0), factor=0.97),
     "slack": Definition(
-        "both, tensions 30 % lower, system height 2.4 m",
+        "both, tensions 30 % lower, encumbrance 2.4 m",
         both(0.0),
         {"line.geometry.encumbrance": 2.4},
         factor=0.7,

@@ -416,7 +416,7 @@ def test_statics_of_a_line_alone(arcless: Arcless) -> None:
     assert (found["scenario"], found["line"], done.stderr) == (None, "norway-s25", "")
     assert set(strict_json(arcless("statics", "norway-s25-250", "--json").stdout)) == set(found)
     printed = arcless("statics", "norway-s25").stdout
-    assert "norway-s25: initial configuration" in printed
+    assert "norway-s25: line at rest" in printed
     assert "Resonance speeds" not in printed
 
 

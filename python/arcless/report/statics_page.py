@@ -145,7 +145,7 @@ def _drawn_numbers(found: InitialConfiguration) -> list[tuple[str, str, str]]:
         height = number(line.geometry.contact_wire_height, 2)
         rows.append(("height of the contact wire above rail", height, "m"))
     if line.geometry.encumbrance is not None:
-        rows.append(("system height", number(line.geometry.encumbrance, 2), "m"))
+        rows.append(("encumbrance (system height)", number(line.geometry.encumbrance, 2), "m"))
     staggers = _staggers(found)
     if staggers:
         rows.append(("stagger at the supports", _ends([1e3 * one for one in staggers], 0), "mm"))

@@ -127,7 +127,7 @@ def test_the_first_screen_has_the_numbers_of_the_drawing() -> None:
     rows = {label: (value, unit) for label, value, unit in statics_page.main_numbers(line)}
     assert rows["stagger at the supports"] == ("−200 – 200", "mm")
     assert rows["height of the contact wire above rail"] == ("5.30", "m")
-    assert rows["system height"] == ("1.40", "m")
+    assert rows["encumbrance (system height)"] == ("1.40", "m")
     tension = line.scenario.line.contact_wire.tension
     assert rows["tension of the contact wire, as designed"] == (f"{tension / 1e3:.2f}", "kN")
     straight = statics(load(scenario_data(stitched_data())))

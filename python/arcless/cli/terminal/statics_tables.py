@@ -1,4 +1,4 @@
-"""The initial configuration as tables."""
+"""The line at rest as tables."""
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
@@ -100,7 +100,7 @@ def _resonance(found: dict[str, Any]) -> "RenderableType":
 
 
 def _summary(name: str, found: dict[str, Any]) -> "RenderableType":
-    made = table(f"{name}: initial configuration", "quantity", "unit", "value", numbers=("value",))
+    made = table(f"{name}: line at rest", "quantity", "unit", "value", numbers=("value",))
     middle = found["middle_span"]
     span = f"span {middle}"
     sag = f"sag of the contact wire, maximum less minimum height in {span}"

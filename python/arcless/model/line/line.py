@@ -57,7 +57,7 @@ class Line(LineData):
             ("Span length", f"{' – '.join(dict.fromkeys([low, high]))} m"),
             ("Tension lengths", f"{lengths_of_wire}" if lengths_of_wire > 1 else ""),
             ("Height of the contact wire above rail", "" if height is None else f"{height:g} m"),
-            ("System height", "" if system is None else f"{system:g} m"),
+            ("Encumbrance", "" if system is None else f"{system:g} m"),
             ("Wave speed of the contact wire", "" if speed is None else f"{3.6 * speed:.0f} km/h"),
             ("Supply", self.design.supply or "not given"),
         ]  # fmt: skip
