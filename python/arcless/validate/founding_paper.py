@@ -7,6 +7,7 @@ can be checked, in the words in which this project states them.
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from arcless.display.numbers import signed
 from arcless.model import load
 from arcless.validate.hanger_joints import PIECE, JointChanges
 from arcless.validate.observation import SMALLEST_GAP, Observation
@@ -122,8 +123,8 @@ def _places(changes: JointChanges) -> str:
     away = [joint.fastest - joint.x for joint in changes.joints]
     most = changes.largest
     return (
-        f"located at {changes.located} of {len(away)} joints, {min(away):+.2f} to "
-        f"{max(away):+.2f} m from them; largest: {most.change:+.1f} N at {most.place:.2f} m, "
+        f"located at {changes.located} of {len(away)} joints, {signed(min(away), 2)} to "
+        f"{signed(max(away), 2)} m from them; largest: {signed(most.change)} N at {most.place:.2f} m, "
         f"joint at {most.x:g} m"
     )
 

@@ -48,6 +48,14 @@ def test_every_row_says_what_was_checked_and_under_which_assumption() -> None:
     assert {row.mark for row in rows} == {"A"}
 
 
+def test_a_force_that_falls_has_a_real_minus_sign() -> None:
+    seen = as_published()
+    seen[2] = observation(340, 0.0, 240.0, 0.1, change=-50.0)
+    notes = " ".join(row.note for row in founding_paper.rows(seen))
+    assert "largest: −50.0 N" in notes
+    assert "largest: +50.0 N" in notes
+
+
 @pytest.mark.parametrize("place", range(4))
 @pytest.mark.parametrize("changes", [{"elsewhere": 50.0}, {"rest": 10.1}])
 def test_one_speed_without_fast_change_at_a_joint(place: int, changes: dict[str, float]) -> None:
