@@ -124,8 +124,8 @@ def _places(changes: JointChanges) -> str:
     most = changes.largest
     return (
         f"located at {changes.located} of {len(away)} joints, {signed(min(away), 2)} to "
-        f"{signed(max(away), 2)} m from them; largest: {signed(most.change)} N at {most.place:.2f} m, "
-        f"joint at {most.x:g} m"
+        f"{signed(max(away), 2)} m from them; largest: {signed(most.change)} N at "
+        f"{most.place:.2f} m, joint at {most.x:g} m"
     )
 
 
