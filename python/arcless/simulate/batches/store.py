@@ -108,4 +108,6 @@ def _assessment(data: dict[str, Any]) -> Assessment:
         "pantographs": [PantographAssessment(**each) for each in data["pantographs"]],
         "criteria": [Criterion(**each) for each in data["criteria"]],
     }
-    return Assessment(**{**data, **nested})
+    # The verdict in words is made from the criteria, and is no field.
+    own = {name: value for name, value in data.items() if name != "verdict"}
+    return Assessment(**{**own, **nested})
