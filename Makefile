@@ -4,7 +4,9 @@
 SHELL := /bin/sh
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help build demo test peers evidence pages docs fuzz golden lint $(addprefix lint-,files style rust linux win32 darwin) bench counts page pictures wheel windows fmu arm clean \
+# Parts of `make lint`; with --jobs=2 they run two at a time.
+LINTS := $(addprefix lint-,files style rust linux win32 darwin)
+.PHONY: help build demo test peers evidence pages docs fuzz golden lint $(LINTS) bench counts page pictures wheel windows fmu arm clean \
 	check-python check-rust
 
 VENV := .venv
@@ -94,7 +96,7 @@ fuzz: build ## look for input that breaks something, for SECONDS (600) each targ
 golden: build ## compare the bits of results with those kept; REASON="why" keeps them anew
 	OPENBLAS_NUM_THREADS=1 $(BIN)/python -m tests.golden $(if $(REASON),--renew "$$REASON")
 
-lint: $(addprefix lint-,files style rust linux win32 darwin) ## check format, lints and types, and that no lock file or local path is tracked
+lint: $(LINTS) ## check format, lints and types, and that no lock file or local path is tracked
 
 lint-rust: build
 	cargo fmt --all --check

@@ -126,7 +126,7 @@ def bending_of(family: str, size: float, bending: float) -> float:
     """Return EI per metre of track of a wire that is stretched, as the elements have it.
 
     Both resist bending per metre of unstretched wire: EI/s in cubic elements, EI s³ in a chain;
-    explicit steps take EI x coth x in the place of EI, x = (h/2) √(T/EI).
+    explicit steps take EI x coth x instead of EI, x = (h/2) √(T/EI).
     """
     if family == "cubic":
         return bending / float(green(TENSION, AXIAL))
