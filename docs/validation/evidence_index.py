@@ -76,19 +76,13 @@ def _of(topics: list[Topic], group: str) -> list[Topic]:
     return [topic for topic in topics if topic.group == group]
 
 
-def _counts(topics: list[Topic]) -> tuple[int, int]:
-    """Return how many values the topics have, and how many of them are inside."""
-    return sum(len(topic.rows) for topic in topics), sum(topic.inside for topic in topics)
-
-
 def _summary(topics: list[Topic]) -> str:
-    values, inside = _counts(topics)
-    faults = sum(len(topic.faults) for topic in topics)
+    found = evidence_reach.Counts.of(topics)
     versions = " and ".join(sorted({topic.version for topic in topics}))
     return (
-        f"{values} values of version {versions} are compared with a reference; {inside} are inside"
-        f" their tolerance, {values - inside} are outside and listed below. {faults} deliberate"
-        " faults are noticed.\n"
+        f"{found.values} values of version {versions} are compared with a reference; {found.inside}"
+        f" are inside their tolerance, {found.values - found.inside} are outside and listed below."
+        f" {found.faults} deliberate faults are noticed.\n"
     )
 
 
@@ -96,10 +90,10 @@ def _overview(topics: list[Topic]) -> str:
     rows = []
     for group, title in GROUPS.items():
         own = _of(topics, group)
-        values, inside = _counts(own)
-        faults = sum(len(topic.faults) for topic in own)
+        found = evidence_reach.Counts.of(own)
         name = f"[{title}]({page_name(group)}.md)"
-        rows.append([name, AGAINST[group], f"{inside} of {values}", str(faults)])
+        inside = f"{found.inside} of {found.values}"
+        rows.append([name, AGAINST[group], inside, str(found.faults)])
     head = ["verified by", "against", "values inside", "faults noticed"]
     return f"## What is verified\n\n{table(head, rows)}\n"
 

@@ -31,6 +31,24 @@ class Reach:
     still_not: str
 
 
+@dataclass(frozen=True)
+class Counts:
+    """How many values some topics have, how many of them are inside, and how many faults."""
+
+    values: int
+    inside: int
+    faults: int
+
+    @classmethod
+    def of(cls, topics: list[Topic]) -> "Counts":
+        """Count what the topics have."""
+        return cls(
+            sum(len(topic.rows) for topic in topics),
+            sum(topic.inside for topic in topics),
+            sum(len(topic.faults) for topic in topics),
+        )
+
+
 MOVING = tuple(f"closed_forms/moving_{name}" for name in ("kink", "head", "stiffness", "pair"))
 REACHES = (
     Reach(
@@ -76,10 +94,8 @@ def section(topics: list[Topic]) -> str:
     """Return the section; a topic that is not recorded is an error."""
     rows = []
     for reach in REACHES:
-        own = _own(reach, topics)
-        values = sum(len(topic.rows) for topic in own)
-        faults = sum(len(topic.faults) for topic in own)
-        rows.append([reach.where, reach.shown, str(values), str(faults)])
+        own = Counts.of(_own(reach, topics))
+        rows.append([reach.where, reach.shown, str(own.values), str(own.faults)])
     return f"{HEAD}\n{table(['', 'verified by', 'values', 'faults noticed'], rows)}\n"
 
 

@@ -215,6 +215,7 @@ def test_what_is_unverified_is_told_before_a_signature(arcless: Arcless, short: 
     assert f"{told['verdict']}.\n" in done.stdout
     warning = "pantograph faiveley-cx: 9 values are from memory, unverified (mark C)"
     assert f"Warnings:\n- {warning}" in done.stdout
+    assert f"Warnings:\n- {warning}" in arcless("assess", "own").stdout
     page = Path("own/report.html").read_text("utf-8")
     assert warning in page.partition('id="criteria"')[0]
 

@@ -135,6 +135,24 @@ class Assessment:
                     del pantograph[name]
         return data
 
+    @classmethod
+    def from_dict(cls, data: Mapping[str, Any]) -> "Assessment":
+        """Return the assessment whose `to_dict` is `data`.
+
+        The headline follows from the criteria, so `verdict` is not read.
+
+        Raises
+        ------
+        KeyError, TypeError
+            Where fields are missing, or there are others.
+        """
+        nested = {
+            "pantographs": [PantographAssessment(**each) for each in data["pantographs"]],
+            "criteria": [Criterion(**each) for each in data["criteria"]],
+        }
+        plain = {name: value for name, value in data.items() if name not in (*nested, "verdict")}
+        return cls(**plain, **nested)
+
     def to_json(self) -> str:
         """Return the assessment as JSON text; it never holds a NaN."""
         return json.dumps(self.to_dict(), indent=2, ensure_ascii=False, allow_nan=False)

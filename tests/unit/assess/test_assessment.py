@@ -41,6 +41,13 @@ def test_keys_are_those_of_the_interface() -> None:
     assert set(found["criteria"][0]) >= CRITERION_KEYS
 
 
+# Read back with and without what only some assessments have: coefficients of wear, a part run over.
+@pytest.mark.parametrize("section", [None, (100.0, 5000.0)])
+def test_plain_values_are_read_back(section: tuple[float, float] | None) -> None:
+    found = assess(synthetic_dataset(), section=section)
+    assert Assessment.from_dict(found.to_dict()) == found
+
+
 # 200 m at 20 m/s are 10 s: whole periods of 2, 9 and 50 Hz, so means and σ are exact; the section
 # holds both its ends, one sample more than whole periods, hence 1e-3 instead of rounding.
 def test_mean_deviation_and_bands_of_three_sines() -> None:

@@ -20,6 +20,7 @@ from arcless.cli.terminal import console
 
 if TYPE_CHECKING:
     from arcless.assess import Assessment
+    from arcless.model import Scenario
     from arcless.report.drawing.animation import Animation
     from arcless.results import Result
 
@@ -111,6 +112,7 @@ def assess(
     from arcless.measurements import is_measured
     from arcless.storage.whole_files import write_bytes
 
+    scenario: Scenario | None = None
     section = _quantity("--from", start, "m"), _quantity("--to", end, "m")
     cutoff = _quantity("--low-pass", low_pass, "Hz")
     head = head_of(head_mass, head_lift, acceleration_down)
@@ -122,13 +124,13 @@ def assess(
         given = {"--speed": speed, "--supply": supply, "--pantograph": pantograph,
                  "--head-mass": head_mass, "--report": report}  # fmt: skip
         _refuse_options(subject, [name for name, value in given.items() if value is not None])
-        found = _of_run(subject, section, cutoff)
+        found, scenario = _of_run(subject, section, cutoff)
     if out is not None:
         write_bytes(out, found.to_json().encode())
     if json:
         console.data(found.to_json())
     else:
-        _show(found)
+        _show(found, scenario)
     if report is not None and not json:
         console.data(f"wrote {report}")
     finish(found.to_dict(), quiet=quiet)
@@ -190,12 +192,13 @@ def _animation(opened: "Result", wanted: bool) -> "Animation | None":
 
 def _of_run(
     subject: Path, section: tuple[float | None, float | None], cutoff: float | None
-) -> "Assessment":
+) -> tuple["Assessment", "Scenario"]:
     from arcless.assess import assess as assess_dataset
     from arcless.results import open as open_result
 
     opened = open_result(subject)
-    return assess_dataset(opened.latest, section=_section(opened, *section), low_pass_Hz=cutoff)
+    part = _section(opened, *section)
+    return assess_dataset(opened.latest, section=part, low_pass_Hz=cutoff), opened.scenario
 
 
 def _measured(
@@ -229,8 +232,10 @@ def _warn(pantographs: Sequence[Mapping[str, Any]]) -> None:
         console.warn(text)
 
 
-def _show(found: "Assessment") -> None:
+def _show(found: "Assessment", scenario: "Scenario | None") -> None:
+    """Show an assessment; of a simulated run also which of its data are from memory."""
     from arcless.cli.terminal import tables
+    from arcless.model.advice.unverified import unverified_data
 
     section = f"Section: {found.section_words}.\n"
     assessment = found.to_dict()
@@ -240,6 +245,7 @@ def _show(found: "Assessment") -> None:
         tables.verdict(assessment),
         *tables.certainty(assessment),
         *tables.notes(assessment),
+        *tables.listed("Warnings", [] if scenario is None else unverified_data(scenario)),
         section,
     )
 

@@ -15,9 +15,8 @@ import io
 import json
 from collections.abc import Iterable
 from pathlib import Path
-from typing import Any
 
-from arcless.assess import Assessment, Criterion, PantographAssessment
+from arcless.assess import Assessment
 from arcless.errors import OutputError
 from arcless.results import Result
 from arcless.simulate.runs.outcome import Keep
@@ -62,7 +61,7 @@ class Folder:
             stored = json.loads(self.file(key, "json").read_bytes())
             if (stored["format"], stored["member"]) != (FORMAT, key):
                 return None
-            return _assessment(stored["assessment"]), float(stored["wall_time_s"])
+            return Assessment.from_dict(stored["assessment"]), float(stored["wall_time_s"])
         except (OSError, ValueError, KeyError, TypeError):
             return None
 
@@ -101,13 +100,3 @@ class Folder:
         for index, name, key, changes in members:
             rows.writerow([index, name, self.file(key).relative_to(self._path), changes])
         write_bytes(self._path / LIST, text.getvalue().encode())
-
-
-def _assessment(data: dict[str, Any]) -> Assessment:
-    nested = {
-        "pantographs": [PantographAssessment(**each) for each in data["pantographs"]],
-        "criteria": [Criterion(**each) for each in data["criteria"]],
-    }
-    # The verdict in words is made from the criteria, and is no field.
-    own = {name: value for name, value in data.items() if name != "verdict"}
-    return Assessment(**{**own, **nested})
