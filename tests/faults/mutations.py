@@ -11,6 +11,7 @@ from tests.support.mutants import Mutation
 OSCILLATOR = "closed_forms/test_damped_oscillator.py::test_frequency_and_damping"
 TROLLEY = "closed_forms/test_trolley_wire.py"
 RAIL = "closed_forms/test_conductor_rail.py"
+SPRINGS = "closed_forms/test_tensioning_springs.py"
 CONTACT = "conservation/test_contact_law.py::test_law"
 LEDGER = "conservation/test_rolling_head.py::test_ledger"
 WAVES = "closed_forms/test_wave_speed.py::test_phase_speed_with_period_correction"
@@ -19,7 +20,6 @@ IMPACT = "closed_forms/test_compliant_impact.py::test_a_bounce"
 TIME_STEP = "orders/test_time_step.py::test_order"
 PARTS = "conservation/test_save_resume.py::test_parts"
 CHAINS = "closed_forms/test_elasticity_shipped.py::test_chains"
-MESH = "references/test_dropper_lengths.py::test_mesh"
 CUBIC = "orders/test_explicit_steps.py::test_shorter_cubic_elements"
 DROPPERS = "closed_forms/test_obstacles.py::test_dropper"
 CURVE = "closed_forms/test_curve.py::test_families"
@@ -71,8 +71,9 @@ STATICS = [
     Mutation("designed droppers longer, not shorter, by their stretch", "store_lengths",
              "A - B / C;", "A + B / C;", ("references/test_dropper_lengths.py::test_as_built",)),
     Mutation("heat does not lengthen cubic elements", "applied",
-             "wire.section.rest_length *= A;", "",
-             ("closed_forms/test_tensioning_springs.py::test_travel_of_free_ends",)),
+             "wire.section.rest_length *= A;", "", (f"{SPRINGS}::test_travel_of_free_ends",)),
+    Mutation("heat does not lengthen chains", "applied",
+             "segment.rest_length *= A;", "", (f"{SPRINGS}::test_travel_of_free_ends",)),
 ]  # fmt: skip
 
 CONTACTS = [
@@ -159,7 +160,11 @@ CONSERVED = [
 
 YIELDING = [
     Mutation("bends of fitted chains with EI of the wire", "bending",
-             "A * B / B.tanh()", "A", (CHAINS, MESH)),
+             "A * B / B.tanh()", "A",
+             # At rest points yield the more instead, and no check notices: in motion these do.
+             ("closed_forms/test_explicit_waves.py::test_phase_speed",
+              "closed_forms/test_moving_kink.py::test_kink",
+              "closed_forms/test_obstacles.py::test_spring")),
     Mutation("chains yield between points as their curves do",
              "SmoothedSegment::residual_flexibility", "(A - B) / C", "0.0 * (A - B) / C",
              (CHAINS,)),
