@@ -10,29 +10,38 @@ from arcless.simulate.recording import record
 from tests.support.faults import spoiled
 
 
-@contextmanager
-def _called_through(owner: Any, name: str, through: Callable[..., Any]) -> Iterator[None]:
+def _called_through(
+    owner: Any, name: str, through: Callable[..., Any]
+) -> AbstractContextManager[None]:
     """Call a function of a module, or of what is named like one, through another one.
 
     Raises
     ------
+    AttributeError
+        At once, when tests are collected: there is no such function. A slow fault would only be
+        missed by `make evidence`.
     RuntimeError
         The function was not called meanwhile: the fault was never put in.
     """
     owner = import_module(owner) if isinstance(owner, str) else owner
     sound = getattr(owner, name)
-    called = []
 
-    def call(*arguments: Any, **named: Any) -> Any:
-        called.append(name)
-        return through(sound, *arguments, **named)
+    @contextmanager
+    def put_in() -> Iterator[None]:
+        called = []
 
-    try:
-        with patch.object(owner, name, call):
-            yield
-    finally:
-        if not called:
-            raise RuntimeError(f"{name} was not called: the fault was never put in")
+        def call(*arguments: Any, **named: Any) -> Any:
+            called.append(name)
+            return through(sound, *arguments, **named)
+
+        try:
+            with patch.object(owner, name, call):
+                yield
+        finally:
+            if not called:
+                raise RuntimeError(f"{name} was not called: the fault was never put in")
+
+    return put_in()
 
 
 def wrong(owner: Any, name: str, spoil: Callable[[Any], Any]) -> AbstractContextManager[None]:
