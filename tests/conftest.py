@@ -1,5 +1,7 @@
-"""The fixture `evidence` of verification files."""
+"""The fixture `evidence` of verification files, and what all processes of tests inherit."""
 
+import signal
+import threading
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -20,6 +22,17 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 def pytest_configure(config: pytest.Config) -> None:
     option = config.option
     records.check_selection(option.publish, option.markexpr, option.keyword)
+    _heed_interrupts()
+
+
+def _heed_interrupts() -> None:
+    """Let programs that tests start be interrupted, also below a shell that runs in the background.
+
+    Such a shell, or `nohup`, has SIGINT ignored, and whoever is started inherits that.
+    """
+    is_main = threading.current_thread() is threading.main_thread()
+    if is_main and signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+        signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 FAILED = pytest.StashKey[bool]()

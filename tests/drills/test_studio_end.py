@@ -89,7 +89,7 @@ def test_nothing_is_said_and_nothing_stays(
             assert len(workers) >= 3
             server.process.send_signal(how)
             deadline = time.monotonic() + GONE_S
-            server.process.wait()
+            server.process.wait(LONGEST_S)
             while any(map(processes.is_there, workers)) and time.monotonic() < deadline:
                 time.sleep(0.02)
             assert not any(map(processes.is_there, workers))
