@@ -126,8 +126,8 @@ bench: build ## measure speed and accuracy; PARTS="sides runs" for some, PAGE=ye
 	$(if $(or $(if $(PARTS),,all),$(findstring studio,$(PARTS))),@$(BIN)/python -m page.build --where-possible)
 	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(WITH_PEERS) -m benchmarks.run $(PARTS) $(if $(PAGE),--page)
 
-counts: ## count the instructions of a step under valgrind; RENEW=1 stores them
-	@$(PYTHON) benchmarks/counts.py $(if $(RENEW),--renew)
+counts: build ## count the instructions of a step under valgrind; RENEW=1 stores them
+	@$(BIN)/python benchmarks/counts.py $(if $(RENEW),--renew)
 
 page: build ## build the page of the studio, which the wheel has: TypeScript and Vite on Node from PyPI
 	@$(BIN)/python -m page.build

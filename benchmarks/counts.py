@@ -107,11 +107,10 @@ def unable() -> str | None:
 
 
 def build() -> str:
-    """Compile the program and return its path."""
-    command = ["cargo", "bench", "--quiet", "--no-run", "--bench", "counts", "-p", "arcless-core"]
-    done = subprocess.run(
-        [*command, "--message-format=json"], cwd=ROOT, check=True, stdout=subprocess.PIPE, text=True
-    )
+    """Compile the program and return its path; beside what `make build` built, to share its core."""
+    packages = [word for name in ("ffi", "py", "counts") for word in ("-p", f"arcless-{name}")]
+    command = ["cargo", "build", "--release", "--quiet", *packages, "--message-format=json"]
+    done = subprocess.run(command, cwd=ROOT, check=True, stdout=subprocess.PIPE, text=True)
     artifacts = (json.loads(line) for line in done.stdout.splitlines() if line.startswith("{"))
     return str([a["executable"] for a in artifacts if a.get("executable")][-1])
 

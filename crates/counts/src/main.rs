@@ -4,7 +4,7 @@
 //! Counts repeat where wall times do not, so a change that makes a step dearer is seen at once.
 #![allow(clippy::print_stdout)] // how a program answers
 
-#[path = "../tests/common/mod.rs"]
+#[path = "../../core/tests/common/mod.rs"]
 mod common;
 
 use arcless_core::integrator::wire_model::WireModel;
@@ -35,8 +35,7 @@ fn counted(work: &mut dyn FnMut()) {
 }
 
 fn main() {
-    // `cargo bench` names no case.
-    let case = std::env::args().skip(1).find(|word| !word.starts_with('-'));
+    let case = std::env::args().nth(1);
     let done = match case.as_deref() {
         Some("step-planar") => steps(pantographs(&planar())),
         Some("step-spatial") => steps(pantographs(&spatial())),
