@@ -22,3 +22,15 @@ SOLVED: dict[str, Any] = BY_MATRIX | {
     "solver.contact_wire_element": 0.72,
     "solver.messenger_wire_element": 1.45,
 }
+
+
+def both(element: float, step: float) -> dict[str, dict[str, Any]]:
+    """Return changes of `scenario_data` for both kinds of wires, by their name in the evidence.
+
+    Elements of all wires have the given length in m; chains take steps of the given s.
+    """
+    fine = {f"solver__{wire}_wire_element": element for wire in ("contact", "messenger")}
+    return {
+        "chains": {**fine, "solver__scheme": "central-difference", "solver__time_step": step},
+        "cubic elements": {**fine, "solver__scheme": "generalised-alpha"},
+    }
