@@ -21,7 +21,10 @@ DESK = {"width": 1400, "height": 900}
 SMALL = {"width": 1280, "height": 720}
 PHONE = {"width": 390, "height": 844}
 # What a browser says by itself where the server is gone, or another one refuses its cookie.
-GONE = ("ERR_CONNECTION", "ERR_EMPTY_RESPONSE", "ERR_INCOMPLETE", "WebSocket connection to", "403")
+GONE = (
+    "ERR_CONNECTION", "ERR_SOCKET_NOT_CONNECTED", "ERR_EMPTY_RESPONSE", "ERR_INCOMPLETE",
+    "WebSocket connection to", "403",
+)  # fmt: skip
 
 
 class Studio:
