@@ -42,6 +42,8 @@ PYTHON ?= $(shell for p in python3 python3.14 python3.13 python3.12 python3.11; 
 
 RUST_INPUTS := Cargo.toml $(wildcard crates/*/Cargo.toml crates/*/build.rs crates/ffi/include/*.h) \
 	$(shell find crates/*/src -name '*.rs')
+# Named together they share one core: packages alone have other features of what the core needs.
+BUILT := -p arcless-loop -p arcless-ffi -p arcless-py
 # What FMUs of Arcless carry, for the platform that compiles.
 LIBRARIES := python/arcless/fmi/libraries
 PLATFORM = $(shell uname -m)-linux
@@ -63,7 +65,8 @@ demo: build ## run the reference case AC simple at 320 km/h, say how sure it is;
 # Without Node or a network `make test` says so in a sentence, and skips what needs the page.
 test: build ## run every test: the page's own, the Rust core, then the Python package
 	@$(BIN)/python -m page.build --test --where-possible
-	cargo test
+	cargo test -p arcless-core
+	cargo test --release $(BUILT) # beside what is built already; else the core is compiled again
 	$(KEEPING) $(BIN)/python -m pytest $(ON_ALL_CORES)
 
 peers: $(PEERS)/.packages ## install the other programs, those that can be, and compare with them
@@ -210,7 +213,7 @@ $(VENV)/.built: $(VENV)/.packages $(RUST_INPUTS)
 	@$(MAKE) --no-print-directory check-rust
 	@echo 'Compiling the numerical core'
 	@$(MATURIN) develop --release --quiet
-	@cargo build --release --quiet -p arcless-ffi -p arcless-py # with it, the core is as it is already
+	@cargo build --release --quiet $(BUILT) # with the binding, the core is as it is already
 	@install -D -m 644 -s target/release/libarcless_loop.so $(LIBRARIES)/$(PLATFORM)/arcless_loop.so
 	@install -m 644 crates/ffi/include/arcless_loop.h $(LIBRARIES)/
 	@touch $@
