@@ -107,7 +107,7 @@ def unable() -> str | None:
 
 
 def build() -> str:
-    """Compile the program and return its path; beside what `make build` built, to share its core."""
+    """Compile the program, beside what `make build` compiled to share its core; return its path."""
     packages = [word for name in ("ffi", "py", "counts") for word in ("-p", f"arcless-{name}")]
     command = ["cargo", "build", "--release", "--quiet", *packages, "--message-format=json"]
     done = subprocess.run(command, cwd=ROOT, check=True, stdout=subprocess.PIPE, text=True)
