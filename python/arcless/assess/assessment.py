@@ -146,7 +146,7 @@ class Assessment:
         KeyError, TypeError
             Where fields are missing, or there are others.
         """
-        nested = {
+        nested: dict[str, Any] = {
             "pantographs": [PantographAssessment(**each) for each in data["pantographs"]],
             "criteria": [Criterion(**each) for each in data["criteria"]],
         }
