@@ -29,6 +29,8 @@ def page(studio: Start, tmp_path: Path) -> Iterator[Window]:
     arcless.run(small()).save(tmp_path / "runs" / "a" / "result.nc")
     found = studio(tmp_path).open(before=KNOWN.read_text("utf-8"))
     found.wait(".run-bar .speed")
+    # Drawings begin with 20, until the line at rest is there and fitted; a run has one of its own.
+    found.until(f"{HEIGHTS} !== 20")
     found.click(".run-entry button.name")
     found.wait(".transport")
     found.until(f"{POSITION}.includes('100.0 m')")
