@@ -108,8 +108,7 @@ def unable() -> str | None:
 
 def build() -> str:
     """Compile the program, beside what `make build` compiled to share its core; return its path."""
-    packages = [word for name in ("ffi", "py", "counts") for word in ("-p", f"arcless-{name}")]
-    command = ["cargo", "build", "--release", "--quiet", *packages, "--message-format=json"]
+    command = ["cargo", "build", "--release", "--quiet", "--workspace", "--message-format=json"]
     done = subprocess.run(command, cwd=ROOT, check=True, stdout=subprocess.PIPE, text=True)
     artifacts = (json.loads(line) for line in done.stdout.splitlines() if line.startswith("{"))
     return str([a["executable"] for a in artifacts if a.get("executable")][-1])

@@ -24,7 +24,7 @@ SOLVED: dict[str, Any] = BY_MATRIX | {
 }
 
 
-def both(element: float, step: float) -> dict[str, dict[str, Any]]:
+def both_kinds(element: float, step: float) -> dict[str, dict[str, Any]]:
     """Return changes of `scenario_data` for both kinds of wires, by their name in the evidence.
 
     Elements of all wires have the given length in m; chains take steps of the given s.

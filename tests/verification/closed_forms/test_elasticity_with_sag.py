@@ -20,7 +20,7 @@ from arcless.equilibrium import equilibrium
 from arcless.model import load
 from tests.support.catenary import green
 from tests.support.evidence import Evidence
-from tests.support.explicit import both
+from tests.support.explicit import both_kinds
 from tests.support.faults import Fault, scaled
 from tests.support.line_types import scenario_data, stitched_data
 from tests.support.two_beams import TwoBeams, Wire, hung_string
@@ -32,7 +32,7 @@ ALONG = np.array([120.0, 122.5, 125.0, 130.0, 140.0, 145.0, 150.0])
 AXIAL = {"lower": 14e6, "upper": 7.4e6}
 # Of the messenger wire at a support.
 SLOPE = (1.1 + 0.6) * GRAVITY * 30.0 / PULL
-WIRES = both(0.25, 2e-4)
+WIRES = both_kinds(0.25, 2e-4)
 
 
 def found(ends: str, wires: str) -> Any:

@@ -20,12 +20,12 @@ import pytest
 import arcless
 from arcless.model import load
 from tests.support.evidence import Evidence
-from tests.support.explicit import both
+from tests.support.explicit import both_kinds
 from tests.support.faults import Fault, expansion, scaled
 from tests.support.line_types import scenario_data
 from tests.support.simple_lines import trolley_data
 
-WIRES = both(0.5, 5e-4)
+WIRES = both_kinds(0.5, 5e-4)
 LENGTH, AXIAL, BEFORE, LOAD = 400.0, 14e6, 12e3, 1.1 * 9.81 * 40.0
 EXPANSION = 17e-6
 HELD = {"midpoint_anchor": {"stiffness": 1e7}}

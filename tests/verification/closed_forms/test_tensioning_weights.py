@@ -28,7 +28,7 @@ from arcless.equilibrium import equilibrium
 from arcless.mesh.build.wires_and_droppers import Wiring
 from arcless.model import Wire, load
 from tests.support.evidence import Evidence
-from tests.support.explicit import both
+from tests.support.explicit import both_kinds
 from tests.support.faults import Fault, expansion, scaled
 from tests.support.line_types import scenario_data
 from tests.support.python_faults import wrong
@@ -44,7 +44,7 @@ WEIGHTS = {
     "contact_wire__bending_stiffness": 0.0,
 }
 HELD = {"midpoint_anchor": {"stiffness": 1e7}}
-WIRES = both(0.5, 5e-4)
+WIRES = both_kinds(0.5, 5e-4)
 # The band is reached at 1.7 K: 238 N/K less an eighth for the sag, and 360 or 371 N.
 STILL, SLIDING = (-1.0, 1.0), (-40.0, -3.0, 3.0, 40.0)
 ANCHORS = {"anchored at the start": {}, "anchored in the middle": HELD}
