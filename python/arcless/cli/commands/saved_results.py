@@ -237,17 +237,9 @@ def _show(found: "Assessment", scenario: "Scenario | None") -> None:
     from arcless.cli.terminal import tables
     from arcless.model.advice.unverified import unverified_data
 
+    warnings = [] if scenario is None else unverified_data(scenario)
     section = f"Section: {found.section_words}.\n"
-    assessment = found.to_dict()
-    console.show(
-        tables.statistics(assessment),
-        tables.criteria(assessment),
-        tables.verdict(assessment),
-        *tables.certainty(assessment),
-        *tables.notes(assessment),
-        *tables.listed("Warnings", [] if scenario is None else unverified_data(scenario)),
-        section,
-    )
+    console.show(*tables.summary(found.to_dict(), warnings), section)
 
 
 def _refuse_options(subject: Path, given: list[str]) -> None:

@@ -119,14 +119,7 @@ def _show(scenario: "Scenario", assessment: dict[str, Any]) -> None:
 
     case = case_of(scenario)
     rows = compare(case, assessment) if case else []
-    console.show(
-        tables.statistics(assessment, rows),
-        tables.criteria(assessment),
-        tables.verdict(assessment),
-        *tables.certainty(assessment),
-        *tables.notes(assessment),
-        *tables.listed("Warnings", unverified_data(scenario)),
-    )
+    console.show(*tables.summary(assessment, unverified_data(scenario), rows))
     console.show(f"Computed with {scenario.choice.sentence}.\n")
     if case:
         console.show(f"Published ranges: {case.source}.\n")

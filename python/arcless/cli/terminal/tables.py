@@ -171,6 +171,20 @@ def verdict(assessment: dict[str, Any]) -> str:
     return f"{assessment['verdict']}.\n"
 
 
+def summary(
+    assessment: dict[str, Any], warnings: Sequence[str], published: "Sequence[Row]" = ()
+) -> list[Table | str]:
+    """Return all that is told of an assessment: numbers, criteria, notes, and warnings below."""
+    return [
+        statistics(assessment, published),
+        criteria(assessment),
+        verdict(assessment),
+        *certainty(assessment),
+        *notes(assessment),
+        *listed("Warnings", warnings),
+    ]
+
+
 def _stopped(assessment: dict[str, Any]) -> str:
     """Say of a run that stopped early that it did: numbers and verdicts are those of a part."""
     stop = assessment.get("stopped_m")
